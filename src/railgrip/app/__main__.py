@@ -1,0 +1,5 @@
+"""`python -m railgrip.app` is the same as `railgrip`."""
+
+from railgrip.app.cli import main
+
+main()

@@ -1,0 +1,62 @@
+"""`railgrip run`: one scenario, from file to report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from railgrip.app import results
+from railgrip.app.inputs import changes_from, read_scenario
+from railgrip.app.screen import print_json, working
+
+
+def run(
+    file: str,
+    /,
+    *,
+    out: Path | None = None,
+    trace: str | None = None,
+    changes: Annotated[list[str] | None, Parameter(name="--set", consume_multiple=True)] = None,
+    report: Annotated[bool, Parameter(name="--report", negative="--no-report")] = True,
+    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> int:
+    """Brake the train of a scenario; print the figures and write the report.
+
+    Ends with 1 when a limit was missed or the train did not stop, 2 on bad input.
+
+    Parameters
+    ----------
+    file
+        A scenario file, or a shipped scenario by name.
+    out
+        Folder for report, data, curves and figures; ./out/<scenario> if not given.
+    trace
+        Time between two points of the curves, e.g. "20 ms".
+    changes
+        Changes to the scenario, key=value, e.g. --set run.speed=120km/h wsp.controller=none.
+    report
+        Write files, or only print the figures.
+    as_json
+        Print one JSON object instead of the table.
+    """
+    wanted = changes_from(changes or [])
+    if trace is not None:
+        wanted["run.trace"] = trace
+    with working("reading the scenario"):
+        name, scenario = read_scenario(file, wanted)
+    with working("braking (the first run compiles the engine)"):
+        import railgrip
+
+        result = railgrip.simulate(scenario)
+    files = []
+    if report:
+        with working("writing the report"):
+            files = results.write(result, out or Path("out") / name)
+    if as_json:
+        print_json(results.as_json(result, files))
+    else:
+        results.show(result, name)
+        results.name_files(files)
+    return results.exit_code(result)

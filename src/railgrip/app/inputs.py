@@ -1,0 +1,66 @@
+"""From the words of a command line to scenarios."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from railgrip.core.errors import Problem, RailgripError
+
+if TYPE_CHECKING:
+    from railgrip.scenario import Scenario
+
+
+class Named(NamedTuple):
+    """A scenario with the name that tables and folders know it by."""
+
+    name: str
+    scenario: Scenario
+
+
+def read_scenario(source: str, changes: dict[str, Any] | None = None) -> Named:
+    """Read a scenario file or a shipped scenario, and change what the command line changes.
+
+    Raises
+    ------
+    RailgripError
+        ``leavs: scenario 'leavs' unknown; known: …; did you mean 'leaves_160'?``
+    """
+    import railgrip
+
+    scenario = railgrip.load(source)
+    return Named(Path(source).stem, scenario.with_(changes) if changes else scenario)
+
+
+def changes_from(words: Iterable[str]) -> dict[str, Any]:
+    """Return what ``--set key=value …`` asks for; a value is TOML, or else a plain text.
+
+    Raises
+    ------
+    RailgripError
+        ``--set: is not of the form key=value; got 'run.speed'; try: --set run.speed=120km/h``
+
+    Examples
+    --------
+    >>> changes_from(["run.speed=120 km/h", "run.step=0.005", "train.sensor={teeth = 80}"])
+    {'run.speed': '120 km/h', 'run.step': 0.005, 'train.sensor': {'teeth': 80}}
+    """
+    changes = {}
+    for word in words:
+        key, equals, text = word.partition("=")
+        if not equals or not key.strip():
+            what = "is not of the form key=value"
+            cure = "--set run.speed=120km/h"
+            raise RailgripError(Problem("--set", what, got=f"'{word}'", cure=cure))
+        changes[key.strip()] = _value(text.strip())
+    return changes
+
+
+def _value(text: str) -> Any:
+    try:
+        table = tomllib.loads(f"value = {text}")
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return text
+    return table["value"] if len(table) == 1 else text

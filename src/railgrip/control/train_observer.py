@@ -1,0 +1,124 @@
+"""What all axles together tell about the train: fastest wheel, brake effort, who adheres."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from railgrip.control.contract import (
+    BRAKED,
+    CYLINDER_PRESSURE,
+    DYNAMIC_FORCE,
+    MOTORED,
+    FloatArray,
+)
+from railgrip.control.conventional_parameters import (
+    DYNAMIC_LEAST_FORCE,
+    EMPTY_PRESSURE,
+    PRESSURE_PER_FORCE,
+)
+from railgrip.control.conventional_state import (
+    ACCELERATION,
+    ADHERED_CLOCK,
+    IS_FAULTY,
+    REFERENCE,
+    SETTLED_CLOCK,
+    SLIDES,
+    SPEED,
+    axle_base,
+)
+from railgrip.control.reference_speed import (
+    advance_reference,
+    estimate_deceleration,
+    free_an_axle,
+    learn_pressure_gain,
+)
+from railgrip.control.wheel_speed import read_wheel
+
+LOCKED_SHARE: Final = 0.05  # of the reference speed: the brake of a locked wheel measures nothing
+GAINING_ACCELERATION: Final = 0.2  # m/s²: an unbraked wheel that gains no more turns with the train
+SETTLED_AFTER: Final = 0.25  # s: an unbraked wheel that has gained nothing so long shows the train
+FREE_SHARE: Final = 0.9  # of the fastest wheel: a free wheel is never much slower, a locked one is
+WITNESS_AFTER: Final = 1.0  # s: an axle that has adhered so long is a witness of the train speed
+ENOUGH_WITNESSES: Final = 2  # one alone is always at its own speed
+
+
+def observe_train(
+    parameters: FloatArray,
+    axle_setup: FloatArray,
+    state: FloatArray,
+    measured: FloatArray,
+    dt: float,
+) -> None:
+    """Update wheel speeds, reference speed and the freed axle in the state.
+
+    Parameters
+    ----------
+    parameters, axle_setup, state, measured : ndarray
+        As in the controller contract.
+    dt : float
+        Period, [s].
+    """
+    n_axles = measured.shape[0]
+    fastest = 0.0
+    candidate = -1
+    seen = -1.0
+    effort = 0.0
+    acceleration = 0.0
+    n_valid = 0
+    n_witnesses = 0
+    n_sliding = 0
+    for axle in range(n_axles):
+        base = axle_base(axle)
+        read_wheel(parameters, state, base, measured, axle, dt)
+        if state[base + IS_FAULTY] > 0.0:
+            continue
+        n_valid += 1
+        speed = state[base + SPEED]
+        acceleration += state[base + ACCELERATION]
+        if speed >= LOCKED_SHARE * state[REFERENCE]:
+            effort += braking_pressure(parameters, measured, axle)
+        if settle(parameters, state, base, measured, axle, dt):
+            seen = max(seen, speed)
+        if state[base + SLIDES] > 0.0:
+            n_sliding += 1
+        if state[base + ADHERED_CLOCK] > WITNESS_AFTER:
+            n_witnesses += 1
+        if speed > fastest:
+            fastest = speed
+            if axle_setup[axle, BRAKED] > 0.0 or axle_setup[axle, MOTORED] > 0.0:
+                candidate = axle
+    if seen < max(FREE_SHARE * fastest, LOCKED_SHARE * state[REFERENCE]):
+        seen = -1.0
+    if n_valid > 0:
+        effort /= n_valid
+        acceleration /= n_valid
+    is_adhering = n_sliding == 0 and n_witnesses >= min(ENOUGH_WITNESSES, n_axles)
+    estimate_deceleration(parameters, state, effort, acceleration)
+    free_an_axle(parameters, state, candidate, n_witnesses >= min(ENOUGH_WITNESSES, n_axles), dt)
+    advance_reference(parameters, state, fastest, seen, dt)
+    learn_pressure_gain(parameters, state, effort, fastest, is_adhering, dt)
+
+
+def braking_pressure(parameters: FloatArray, measured: FloatArray, axle: int) -> float:
+    """Return the cylinder pressure that would brake as much as all brakes of the axle, [Pa]."""
+    pressure = (
+        measured[axle, CYLINDER_PRESSURE]
+        + parameters[PRESSURE_PER_FORCE] * measured[axle, DYNAMIC_FORCE]
+    )
+    return pressure if 0.0 < pressure < 1.0e7 else 0.0
+
+
+def settle(
+    parameters: FloatArray, state: FloatArray, base: int, measured: FloatArray, axle: int, dt: float
+) -> bool:
+    """Return whether an unbraked wheel has stopped turning faster: it then shows the train."""
+    is_unbraked = (
+        measured[axle, CYLINDER_PRESSURE] < parameters[EMPTY_PRESSURE]
+        and measured[axle, DYNAMIC_FORCE] < parameters[DYNAMIC_LEAST_FORCE]
+    )
+    if is_unbraked and state[base + ACCELERATION] < GAINING_ACCELERATION:
+        clock: float = state[base + SETTLED_CLOCK] + dt
+    else:
+        clock = 0.0
+    state[base + SETTLED_CLOCK] = clock
+    return clock > SETTLED_AFTER

@@ -1,0 +1,258 @@
+"""From a scenario to flat arrays: the last place where names and models are known."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from railgrip.control import contract as ctl
+from railgrip.control.rotation_monitoring import RotationMonitoring
+from railgrip.core.errors import Problem, RailgripError
+from railgrip.engine import layout as at
+from railgrip.engine.lower_train import ENDLESS, lower_train
+from railgrip.engine.plan import FloatArray, Formation, IntArray, Plan, Timing, Way
+from railgrip.scenario.line import Line
+from railgrip.scenario.rail import FrictionState, RailCondition
+from railgrip.scenario.scenario import Scenario
+
+LAWS = {
+    "polach_2005": at.LAW_POLACH,
+    "freibauer_1983": at.LAW_FREIBAUER,
+    "shen_hedrick_elkins_1983": at.LAW_SHEN,
+}
+LEAST_CELL = 0.5
+"""Shortest rail cell, m."""
+ELEVATION_STEP = 1.0
+"""Spacing of heights along the line, m."""
+NEVER = 2**62
+"""A tick that does not come."""
+
+
+def lower(scenario: Scenario, control_period: float, parameters: FloatArray) -> Plan:
+    """Return the plan of a batch of runs of this scenario.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Complete and checked.
+    control_period : float
+        Of the controller [s]; a multiple of the step.
+    parameters : float array
+        Of the controller.
+
+    Raises
+    ------
+    RailgripError
+        Where time or rail cannot be cut into ticks and cells: "a delay must be shorter …".
+    """
+    table, brakes = lower_train(scenario)
+    return Plan(
+        way=_way(scenario),
+        timing=_timing(scenario, control_period),
+        formation=_formation(scenario, brakes),
+        creep_law=LAWS.get(scenario.run.creep_law, at.LAW_CUSTOM),
+        parameters=table,
+        controller_parameters=parameters,
+        monitor_parameters=np.array(RotationMonitoring(), dtype=float),
+    )
+
+
+def _ticks(scenario: Scenario, where: str, time: float) -> int:
+    ticks = round(time / scenario.run.step)
+    if ticks >= at.MAX_DELAY:
+        raise RailgripError(
+            Problem(
+                where,
+                "a delay must be shorter than 16 steps",
+                got=f"{time * 1e3:g} ms at a step of {scenario.run.step * 1e3:g} ms",
+                cure="a larger run.step",
+            )
+        )
+    return int(ticks)
+
+
+def _timing(scenario: Scenario, control_period: float) -> Timing:
+    run, train = scenario.run, scenario.train
+    every = control_period / run.step
+    if abs(every - round(every)) > 1e-6 or every < 0.5:
+        raise RailgripError(
+            Problem(
+                "run.step",
+                "the controller's period must be a multiple of the step",
+                got=f"step {run.step * 1e3:g} ms, period {control_period * 1e3:g} ms",
+            )
+        )
+    points = run.demand
+    ticks = np.array([round(point.at / run.step) for point in points], dtype=np.int64)
+    braking = [tick for tick, point in zip(ticks, points, strict=True) if point.level > 0]
+    valve = train.dump_valve
+    sander = train.sander
+    return Timing(
+        tick=run.step,
+        limit=round(run.time_limit / run.step),
+        after_stop=round(run.after_stop / run.step),
+        trace_every=round(run.trace / run.step),
+        control_every=round(every),
+        demand_tick=ticks,
+        demand_level=np.array([point.level for point in points]),
+        demand_emergency=np.array([float(point.emergency) for point in points]),
+        first_brake_tick=int(braking[0]) if braking else NEVER,
+        sensor_delay=_ticks(scenario, "train.sensor.delay", train.sensor.delay),
+        sensor_teeth=float(train.sensor.teeth),
+        sensor_timer=train.sensor.timer,
+        vent_delay=_ticks(scenario, "train.dump_valve.vent_delay", valve.vent_delay if valve else 0),
+        fill_delay=_ticks(scenario, "train.dump_valve.fill_delay", valve.fill_delay if valve else 0),
+        sand_delay=sander.delay if sander else 0.0,
+        sand_cut_out=sander.cut_out_speed if sander else 0.0,
+    )
+
+
+def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
+    train = scenario.train
+    axles = train.axles()
+    n_vehicles = len(train.vehicle)
+    masses = np.array(
+        [v.tare + p for v, p in zip(train.vehicle, scenario.payloads(), strict=True)]
+    )
+    air = train.reservoir
+    setup = np.zeros((len(axles), ctl.N_SETUP))
+    for i, place in enumerate(axles):
+        setup[i, ctl.BELIEVED_RADIUS] = place.axle.believed_radius
+        setup[i, ctl.MOTORED] = place.axle.motor and train.dynamic_brake is not None
+        setup[i, ctl.BRAKED] = place.axle.brake is not None and train.dump_valve is not None
+    in_emergency = train.dynamic_brake.in_emergency if train.dynamic_brake else True
+    return Formation(
+        vehicle_of_axle=np.array([place.vehicle for place in axles], dtype=np.int64),
+        vehicle_front=np.array(train.vehicle_fronts()),
+        vehicle_length=np.array([vehicle.length for vehicle in train.vehicle]),
+        vehicle_share=masses / masses.sum(),
+        reservoir_volume=np.full(n_vehicles, air.volume if air else 1.0),
+        reservoir_pressure=np.full(n_vehicles, air.pressure if air else ENDLESS),
+        reservoir_recharge=np.full(n_vehicles, air.recharge if air else 0.0),
+        brakes=brakes,
+        dynamic_in_emergency=int(in_emergency),
+        axle_setup=setup,
+    )
+
+
+def _way(scenario: Scenario) -> Way:
+    line, rail, run = scenario.line.use, scenario.rail, scenario.run
+    length = cell_length(scenario)
+    origin = math.floor(scenario.line.start - scenario.train.length) - 10.0
+    conditions, of_cell = _conditions(scenario, origin, length)
+    elevation, curve_work = _profile(line, origin)
+    field = rail.random
+    seed = run.seed if field is None or field.seed is None else field.seed
+    sander = scenario.train.sander
+    return Way(
+        origin=origin,
+        end=line.length,
+        cell_length=length,
+        condition_of_cell=of_cell,
+        conditions=conditions,
+        elevation_step=ELEVATION_STEP,
+        elevation=elevation,
+        curve_work=curve_work,
+        is_level=int(not elevation.any() and not curve_work.any()),
+        is_random=int(field is not None),
+        correlation=math.exp(-length / field.correlation_length) if field else 0.0,
+        relative_spread=field.spread / field.mean if field else 0.0,
+        seed=seed,
+        sand_friction=sander.rail_friction if sander else 0.0,
+        effective_sand=sander.dose if sander else 1.0,
+    )
+
+
+def cell_length(scenario: Scenario) -> float:
+    """Return the length of a rail cell: no wheel may pass more than one a tick."""
+    longest_tick = 1.25 * scenario.run.speed * scenario.run.step
+    return LEAST_CELL * max(1, math.ceil(longest_tick / LEAST_CELL))
+
+
+def _state(state: FrictionState) -> list[float]:
+    return [
+        state.static_friction,
+        state.friction_ratio,
+        state.friction_decay,
+        state.adhesion_reduction,
+        state.slip_reduction,
+    ]
+
+
+def _row(condition: RailCondition) -> list[float]:
+    return [*_state(condition.contaminated), *_state(condition.clean), condition.cleaning]
+
+
+def _conditions(scenario: Scenario, origin: float, length: float) -> tuple[FloatArray, IntArray]:
+    rail = scenario.rail
+    base = _row(rail.condition)
+    if rail.random is not None:
+        base[0] = rail.random.mean
+    rows = [base, *(_row(patch.condition) for patch in rail.patch)]
+    n_cells = math.ceil((scenario.line.use.length - origin) / length) + 8
+    centres = origin + (np.arange(n_cells) + 0.5) * length
+    of_cell = np.zeros(n_cells, dtype=np.int64)
+    for i, patch in enumerate(rail.patch):
+        of_cell[(centres >= patch.begin) & (centres < patch.end)] = i + 1
+    return np.array(rows), of_cell
+
+
+def _profile(line: Line, origin: float) -> tuple[FloatArray, FloatArray]:
+    """Return height and work of curve resistance over weight along the line."""
+    places = origin + ELEVATION_STEP * np.arange(math.ceil(line.length - origin) + 3)
+    height = _integral([(p.at, p.value) for p in line.gradient], places)
+    bends: list[tuple[float, float]] = []
+    for curve in line.curve:
+        bends += [(curve.begin, curve_resistance(curve.radius)), (curve.end, 0.0)]
+    return height, _integral(bends, places)
+
+
+def curve_resistance(radius: float) -> float:
+    """Return curve resistance over weight (Röckl's formula).
+
+    650/(R − 55) ‰ from 300 m radius up, 500/(R − 30) ‰ below, the radius floored at 60 m.
+
+    Examples
+    --------
+    >>> round(curve_resistance(500.0) * 1e3, 3)
+    1.461
+    """
+    if radius >= 300.0:
+        return 0.650 / (radius - 55.0)
+    return 0.500 / (max(radius, 60.0) - 30.0)
+
+
+def _integral(steps: list[tuple[float, float]], places: FloatArray) -> FloatArray:
+    """Integrate a step function exactly at the places; before the first step it is zero."""
+    if not steps:
+        return np.zeros_like(places)
+    at_place = np.array([place for place, _ in steps])
+    value = np.array([number for _, number in steps])
+    total = np.concatenate([[0.0], np.cumsum(value[:-1] * np.diff(at_place))])
+    i = np.searchsorted(at_place, places, side="right") - 1
+    inside = i >= 0
+    result: FloatArray = np.zeros_like(places)
+    result[inside] = total[i[inside]] + value[i[inside]] * (places[inside] - at_place[i[inside]])
+    return result
+
+
+def ring_cells(plan: Plan, train_length: float, whole_line: bool) -> int:
+    """Return the number of rail cells to hold: a power of two."""
+    needed = (train_length + 10.0) / plan.way.cell_length + 8
+    if whole_line:
+        needed = max(needed, len(plan.way.condition_of_cell) + 8)
+    return 1 << math.ceil(math.log2(needed))
+
+
+def controller_setup(scenario: Scenario, period: float) -> ctl.Setup:
+    """Return what a controller is told about this train."""
+    table: Any = _formation(scenario, np.zeros((scenario.train.n_axles, 1))).axle_setup
+    return ctl.Setup(
+        n_axles=scenario.train.n_axles,
+        period=period,
+        wheel_radius=table[:, ctl.BELIEVED_RADIUS],
+        motored=table[:, ctl.MOTORED] > 0,
+        braked=table[:, ctl.BRAKED] > 0,
+    )

@@ -1,0 +1,144 @@
+"""What a kernel needs to know beside the lanes: constant over a batch, shared by all its runs."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+
+class Way(NamedTuple):
+    """The line and its rail, cut into cells.
+
+    Attributes
+    ----------
+    origin : float
+        Position of cell 0's near edge on the line, [m].
+    end : float
+        Position of the line's end, [m].
+    cell_length : float
+        [m].
+    condition_of_cell : int array (cell)
+        Row of `conditions` for each cell.
+    conditions : float array (condition, 11)
+        Contaminated friction state (5), clean one (5), cleaning rate [m/J].
+    elevation_step : float
+        Spacing of `elevation` and `curve_work` along the line from `origin`, [m].
+    elevation, curve_work : float array
+        Height [m]; running integral of the curve resistance over weight [m].
+    is_level : int
+        1 where both are zero throughout.
+    is_random, correlation, relative_spread, seed
+        Random field: on or off; from cell to cell; standard deviation over mean; key.
+    sand_friction, effective_sand : float
+        See track.sanding.
+    """
+
+    origin: float
+    end: float
+    cell_length: float
+    condition_of_cell: IntArray
+    conditions: FloatArray
+    elevation_step: float
+    elevation: FloatArray
+    curve_work: FloatArray
+    is_level: int
+    is_random: int
+    correlation: float
+    relative_spread: float
+    seed: int
+    sand_friction: float
+    effective_sand: float
+
+
+class Timing(NamedTuple):
+    """Time in ticks, and what is sampled."""
+
+    tick: float
+    limit: int
+    after_stop: int
+    trace_every: int
+    control_every: int
+    demand_tick: IntArray
+    demand_level: FloatArray
+    demand_emergency: FloatArray
+    first_brake_tick: int
+    sensor_delay: int
+    sensor_teeth: float
+    sensor_timer: float
+    vent_delay: int
+    fill_delay: int
+    sand_delay: float
+    sand_cut_out: float
+
+
+class Formation(NamedTuple):
+    """How the axles hang together: vehicle of each axle, and the vehicles' reservoirs and mass."""
+
+    vehicle_of_axle: IntArray
+    vehicle_front: FloatArray
+    vehicle_length: FloatArray
+    vehicle_share: FloatArray
+    reservoir_volume: FloatArray
+    reservoir_pressure: FloatArray
+    reservoir_recharge: FloatArray
+    brakes: FloatArray
+    dynamic_in_emergency: int
+    axle_setup: FloatArray
+
+
+class Plan(NamedTuple):
+    """All of it, for the kernel."""
+
+    way: Way
+    timing: Timing
+    formation: Formation
+    creep_law: int
+    parameters: FloatArray
+    """(1 + axles, N_PARAMETERS): row 0 the train, then each axle."""
+    controller_parameters: FloatArray
+    monitor_parameters: FloatArray
+
+
+class Overrides(NamedTuple):
+    """Numbers that differ from run to run.
+
+    Attributes
+    ----------
+    index : int array (k)
+        Places in `Plan.parameters`, flattened.
+    value : float array (run, k)
+        Their values for each run.
+    """
+
+    index: IntArray
+    value: FloatArray
+
+
+class Memory(NamedTuple):
+    """What a batch writes into while it runs; its size does not depend on the number of runs."""
+
+    lanes: FloatArray
+    reservoirs: FloatArray
+    ring_energy: FloatArray
+    ring_factor: FloatArray
+    ring_sand: FloatArray
+    controller_state: FloatArray
+    measured: FloatArray
+    command: FloatArray
+    monitor_state: FloatArray
+    alarm: FloatArray
+
+
+class Outcome(NamedTuple):
+    """What is kept of each run, and of its way if traces are asked for."""
+
+    train: FloatArray
+    axle: FloatArray
+    trace_train: FloatArray
+    trace_axle: FloatArray
+    trace_vehicle: FloatArray

@@ -1,0 +1,158 @@
+"""What is kept of a run: one line of outcomes, and its traces if they are asked for."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numba
+
+from railgrip.control import contract as ctl
+from railgrip.core.status import RunStatus
+from railgrip.engine import layout as at
+
+STOPPED = int(RunStatus.STOPPED)
+
+_scalar = numba.njit(error_model="numpy")
+
+TRAIN_OUTCOMES = (
+    "status", "initial_speed", "stopping_distance", "stopping_time", "build_up_time",
+    "slide_activity", "energy_kinetic_initial", "energy_kinetic_final", "energy_contact",
+    "energy_brake", "energy_dynamic", "energy_track_brake", "energy_resistance",
+    "energy_gradient", "energy_rail", "air_used", "end_position", "end_time",
+)  # fmt: skip
+"""Columns of Outcome.train."""
+AXLE_OUTCOMES = (
+    "axle_slid_distance", "axle_slid_energy", "axle_locked_time", "axle_longest_lock",
+    "axle_greatest_slip", "axle_slide_time", "axle_greatest_disc_temperature",
+    "axle_locked_slide", "axle_valve_cycles",
+)  # fmt: skip
+"""Columns of Outcome.axle."""
+TRAIN_TRACES = (
+    "train_speed", "train_position", "acceleration", "reference_speed", "brake_demand",
+    "track_brake_force",
+)  # fmt: skip
+"""Columns of Outcome.trace_train."""
+AXLE_TRACES = (
+    "wheel_speed", "measured_speed", "contact_force", "wheel_load", "rail_friction",
+    "friction_ratio", "friction_decay", "adhesion_reduction", "slip_reduction", "cleaning",
+    "brake_cylinder_pressure", "supply_pressure", "dump_valve", "clamp_force", "pad_friction",
+    "brake_force", "dynamic_force", "disc_temperature", "hub_temperature", "is_sliding", "alarm",
+)  # fmt: skip
+"""Columns of Outcome.trace_axle."""
+
+
+@_scalar
+def kinetic_energy(L: int, S: Any, n_axles: int, k: int) -> float:
+    """Return the kinetic energy of train and wheels."""
+    energy = 0.5 * S[at.TRAIN_MASS * L + k] * S[at.TRAIN_SPEED * L + k] ** 2
+    for axle in range(n_axles):
+        b = (1 + axle) * at.N_VARS * L + k
+        energy += 0.5 * S[b + at.ROTATING_MASS * L] * S[b + at.WHEEL_SPEED * L] ** 2
+    return float(energy)
+
+
+@_scalar
+def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: int) -> None:
+    """Write the present state into the run's traces."""
+    run = int(S[at.RUN * L + k])
+    tick = int(S[at.TICK * L + k])
+    row = tick // plan.timing.trace_every
+    if run >= out.trace_train.shape[0] or tick % plan.timing.trace_every != 0:
+        return
+    if row >= out.trace_train.shape[1]:
+        return
+    train = out.trace_train[run, row]
+    train[0] = S[at.TRAIN_SPEED * L + k]
+    train[1] = S[at.POSITION * L + k]
+    train[2] = -S[at.LAST_DECELERATION * L + k]
+    train[3] = memory.command[k, 0, ctl.REFERENCE_SPEED]
+    train[4] = S[at.DRIVER_DEMAND * L + k]
+    train[5] = S[at.TRACK_BRAKE_FORCE * L + k]
+    for axle in range(n_axles):
+        _record_axle(L, S, memory.command[k, axle], out.trace_axle[run, row, axle], plan, axle, k)
+    n_vehicles = out.trace_vehicle.shape[2]
+    for vehicle in range(n_vehicles):
+        out.trace_vehicle[run, row, vehicle] = memory.reservoirs[vehicle * L + k]
+
+
+@_scalar
+def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k: int) -> None:
+    b = (1 + axle) * at.N_VARS * L + k
+    row[0] = S[b + at.WHEEL_SPEED * L]
+    row[1] = S[b + at.MEASURED_SPEED * L]
+    row[2] = S[b + at.CONTACT_FORCE * L]
+    row[3] = (
+        S[b + at.STATIC_LOAD * L]
+        + S[b + at.LOAD_TRANSFER * L] * S[at.PITCH_DECELERATION * L + k]
+    )
+    for i in range(at.N_FRICTION):
+        row[4 + i] = S[b + (at.RAIL_END_FRICTION + i) * L]
+    row[9] = S[b + at.CLEANING * L]
+    row[10] = S[b + at.CYLINDER_PRESSURE * L]
+    row[11] = S[b + at.SUPPLY_PRESSURE * L]
+    is_vent = S[b + at.IS_VENT * L]
+    row[12] = 2.0 * is_vent + (1.0 - is_vent) * (1.0 - S[b + at.IS_FILL * L])
+    row[13] = S[b + at.CLAMP_FORCE * L]
+    row[14] = S[b + at.PAD_FRICTION * L]
+    row[15] = S[b + at.BRAKE_IMPULSE * L] / plan.timing.tick
+    row[16] = S[b + at.DYNAMIC_FORCE * L]
+    row[17] = S[b + at.RING_TEMPERATURE * L]
+    row[18] = S[b + at.HUB_TEMPERATURE * L]
+    row[19] = command[ctl.IS_SLIDING]
+    row[20] = S[b + at.ALARM * L]
+
+
+@_scalar
+def finish_run(
+    L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status: int
+) -> None:
+    """Write a run's line of outcomes."""
+    run = int(S[at.RUN * L + k])
+    row = out.train[run]
+    row[0] = status
+    row[1] = S[at.BRAKE_SPEED * L + k]
+    row[2] = S[at.STOP_POSITION * L + k] - S[at.BRAKE_POSITION * L + k]
+    row[3] = S[at.STOP_TIME * L + k] - S[at.BRAKE_TIME * L + k]
+    row[5] = S[at.SLIDE_ACTIVE * L + k] / max(S[at.ACTIVE_TIME * L + k], 1e-9)
+    row[6] = S[at.KINETIC_START * L + k]
+    row[7] = kinetic_energy(L, S, n_axles, k)
+    row[11] = S[at.TRACK_BRAKE_ENERGY * L + k]
+    row[12] = S[at.RESISTANCE_ENERGY * L + k]
+    row[13] = S[at.GRADIENT_ENERGY * L + k]
+    row[16] = S[at.POSITION * L + k]
+    row[17] = S[at.TICK * L + k] * plan.timing.tick
+    build_up = 0.0
+    full = 0.0
+    contact = 0.0
+    brake = 0.0
+    dynamic = 0.0
+    rail = 0.0
+    air = 0.0
+    for axle in range(n_axles):
+        b = (1 + axle) * at.N_VARS * L + k
+        full += S[b + at.FULL_FORCE * L]
+        build_up += S[b + at.FULL_FORCE * L] * S[b + at.BUILD_UP_TIME * L]
+        contact += S[b + at.SLID_ENERGY * L]
+        brake += S[b + at.BRAKE_ENERGY * L]
+        dynamic += S[b + at.DYNAMIC_ENERGY * L]
+        rail += S[b + at.RAIL_ENERGY * L]
+        air += S[b + at.AIR_USED * L]
+        line = out.axle[run, axle]
+        line[0] = S[b + at.SLID_DISTANCE * L]
+        line[1] = S[b + at.SLID_ENERGY * L]
+        line[2] = S[b + at.LOCKED_TIME * L]
+        line[3] = S[b + at.LONGEST_LOCK * L]
+        line[4] = S[b + at.GREATEST_SLIP * L]
+        line[5] = S[b + at.SLIDE_TIME * L]
+        line[6] = S[b + at.GREATEST_TEMPERATURE * L]
+        line[7] = S[b + at.LOCKED_SLIDE * L]
+        line[8] = S[b + at.VALVE_CYCLES * L]
+    row[4] = build_up / max(full, 1e-9)
+    row[8] = contact
+    row[9] = brake
+    row[10] = dynamic
+    row[14] = rail
+    row[15] = air
+    if status != STOPPED:
+        row[2] = float("nan")
+        row[3] = float("nan")

@@ -1,0 +1,268 @@
+"""Run a scenario: once, or many times side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from railgrip.control import contract as ctl
+from railgrip.control.rotation_monitoring import rotation_state_size
+from railgrip.core import registry
+from railgrip.core.errors import Problem, RailgripError, unknown_name
+from railgrip.core.status import RunStatus
+from railgrip.engine import kernel, layout as at
+from railgrip.engine.compiler import CREEP_LAW, creep_law, first_class
+from railgrip.engine.controllers import (
+    Compiled,
+    compiled,
+    find_controller,
+    is_compiled,
+    no_kernel,
+    plain_step,
+)
+from railgrip.engine.lower import LAWS, controller_setup, lower, ring_cells
+from railgrip.engine.plan import FloatArray, Memory, Outcome, Overrides, Plan
+from railgrip.engine.records import AXLE_OUTCOMES, AXLE_TRACES, TRAIN_OUTCOMES, TRAIN_TRACES
+from railgrip.engine.result import Result
+from railgrip.scenario.scenario import Scenario
+
+CHUNK = 4096
+"""Runs handed to the kernel at a time: enough to fill the lanes, short enough to interrupt."""
+
+Variations = Mapping[str, Any]
+"""Numbers that differ from run to run: name of the layout, or (name, axle) → one for each run."""
+
+
+class Prepared(NamedTuple):
+    """A scenario ready for the kernel."""
+
+    scenario: Scenario
+    plan: Plan
+    controller: Any
+    compiled: Compiled
+    creep_law: Any
+
+
+def _no_law(
+    static: float, ratio: float, decay: float, adhesion: float, slip: float,
+    load: float, slope: float, slip_speed: float, creepage: float,
+) -> float:  # fmt: skip
+    return 0.0
+
+
+def prepare(scenario: Scenario, controller: Any = None) -> Prepared:
+    """Return a scenario with its controller compiled and its numbers laid out.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What to run.
+    controller : controller, optional
+        Used in place of the one that the scenario names.
+    """
+    controller = find_controller(scenario.wsp) if controller is None else controller
+    chosen = (
+        compiled(controller, scenario.train.n_axles) if is_compiled(controller) else no_kernel()
+    )
+    name = scenario.run.creep_law
+    law = first_class(_no_law, CREEP_LAW)
+    if name not in LAWS:
+        law = creep_law(registry.resolve("railgrip.laws", name, "run.creep_law"))
+    plan = lower(scenario, float(controller.period), chosen.parameters)
+    return Prepared(scenario, plan, controller, chosen, law)
+
+
+def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
+    """Return the memory of a batch: its size does not depend on the number of runs."""
+    plan = prepared.plan
+    n_axles = prepared.scenario.train.n_axles
+    n_vehicles = len(plan.formation.vehicle_front)
+    ring = ring_cells(plan, prepared.scenario.train.length, whole_line) * lanes
+    return Memory(
+        lanes=np.zeros((1 + n_axles) * at.N_VARS * lanes),
+        reservoirs=np.zeros(n_vehicles * lanes),
+        ring_energy=np.zeros(ring),
+        ring_factor=np.ones(ring),
+        ring_sand=np.zeros(ring),
+        controller_state=np.zeros((lanes, max(prepared.compiled.state_size, 1))),
+        measured=np.zeros((lanes, n_axles, ctl.N_MEASURED)),
+        command=np.zeros((lanes, n_axles, ctl.N_COMMAND)),
+        monitor_state=np.zeros((lanes, rotation_state_size(n_axles))),
+        alarm=np.zeros((lanes, n_axles)),
+    )
+
+
+def outcome(prepared: Prepared, n_runs: int, traced: bool) -> Outcome:
+    """Return empty tables for so many runs."""
+    timing = prepared.plan.timing
+    n_axles = prepared.scenario.train.n_axles
+    n_vehicles = len(prepared.plan.formation.vehicle_front)
+    rows = timing.limit // timing.trace_every + 2 if traced else 0
+    n_traced = n_runs if traced else 0
+    return Outcome(
+        train=np.full((n_runs, len(TRAIN_OUTCOMES)), np.nan),
+        axle=np.full((n_runs, n_axles, len(AXLE_OUTCOMES)), np.nan),
+        # rows that no run reaches are never touched, so they cost no memory
+        trace_train=np.empty((n_traced, rows, len(TRAIN_TRACES))),
+        trace_axle=np.empty((n_traced, rows, n_axles, len(AXLE_TRACES))),
+        trace_vehicle=np.empty((n_traced, rows, n_vehicles)),
+    )
+
+
+def overrides(prepared: Prepared, variations: Variations, n_runs: int) -> Overrides:
+    """Return the numbers that differ from run to run, by their places in the plan.
+
+    Raises
+    ------
+    RailgripError
+        For a name that the layout does not know, or a wrong number of values.
+    """
+    train_names, axle_names = at.TRAIN_PARAMETERS.split(), at.AXLE_PARAMETERS.split()
+    index: list[int] = []
+    columns: list[FloatArray] = []
+    for key, values in variations.items():
+        name, axles = key if isinstance(key, tuple) else (key, None)
+        column = np.asarray(values, dtype=float)
+        if column.shape != (n_runs,) or not np.isfinite(column).all():
+            raise RailgripError(
+                Problem(str(name), "needs one finite number for each run",
+                        got=f"shape {column.shape}", allowed=f"({n_runs},)")
+            )  # fmt: skip
+        if name in train_names:
+            index.append(train_names.index(name))
+            columns.append(column)
+        elif name in axle_names:
+            every = range(prepared.scenario.train.n_axles) if axles is None else [axles]
+            for axle in every:
+                index.append((1 + axle) * at.N_PARAMETERS + axle_names.index(name))
+                columns.append(column)
+        else:
+            raise RailgripError(unknown_name("", "quantity", name, train_names + axle_names))
+    value = np.stack(columns, axis=1) if columns else np.zeros((n_runs, 0))
+    return Overrides(np.array(index, dtype=np.int64), np.ascontiguousarray(value))
+
+
+def simulate(
+    scenario: Scenario,
+    *,
+    runs: int = 1,
+    variations: Variations | None = None,
+    traces: bool | None = None,
+    threads: int = 1,
+    controller: Any = None,
+    progress: Callable[[int], None] | None = None,
+) -> Result:
+    """Run a scenario and return what happened.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What to run.
+    runs : int
+        How many runs, ≥ 1. Run i sees the i-th random rail; without a random field and without
+        variations all are equal.
+    variations : mapping, optional
+        Numbers that differ from run to run: ``{"INITIAL_SPEED": [...], ("STATIC_LOAD", 3): [...]}``,
+        names as in `railgrip.engine.layout`.
+    traces : bool, optional
+        Keep the way of every run; default: for a single run only.
+    threads : int
+        Threads that share the runs; the bits do not depend on it.
+    controller : controller, optional
+        Used in place of the one that the scenario names.
+    progress : callable, optional
+        Called with the number of runs that have ended.
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    RailgripError
+        What in the scenario cannot be run, and what to try.
+
+    Notes
+    -----
+    Every run ends with a status (`railgrip.core.status`); a batch goes on past a failed run.
+
+    Examples
+    --------
+    >>> import railgrip as rg
+    >>> result = rg.simulate(rg.load("dry_emergency"))
+    >>> result.status.name
+    'STOPPED'
+    """
+    if runs < 1 or threads < 1:
+        raise RailgripError(
+            Problem("", "runs and threads must be at least 1", got=f"{runs} and {threads}")
+        )
+    prepared = prepare(scenario, controller)
+    traced = runs == 1 if traces is None else traces
+    changes = overrides(prepared, variations or {}, runs)
+    out = outcome(prepared, runs, traced)
+    if is_compiled(prepared.controller):
+        rail = _run_compiled(prepared, changes, out, threads, traced, progress)
+    else:
+        rail = _run_plain(prepared, changes, out, traced, progress)
+    return Result.from_arrays(prepared.scenario, prepared.plan, out, rail)
+
+
+def _chunks(runs: int, threads: int) -> Iterator[tuple[int, int]]:
+    size = max(1, min(CHUNK, -(-runs // (4 * threads)))) if runs > at.LANES else runs
+    for first in range(0, runs, size):
+        yield first, min(first + size, runs)
+
+
+def _run_compiled(
+    prepared: Prepared, changes: Overrides, out: Outcome, threads: int, traced: bool, progress: Any
+) -> Memory | None:
+    runs = len(out.train)
+    # A few runs are cheaper one by one than in lanes that mostly idle.
+    run_kernel, lanes = (
+        (kernel.run_single, 1) if runs < 4 else (kernel.run_lanes, at.LANES)
+    )
+    done = np.zeros(1, dtype=np.int64)
+
+    def work(bounds: tuple[int, int]) -> Memory:
+        own = memory(prepared, lanes, traced and lanes == 1)
+        run_kernel(
+            own, prepared.plan, changes, out, bounds[0], bounds[1], prepared.compiled.kernel,
+            prepared.compiled.initial, prepared.creep_law, done,
+        )  # fmt: skip
+        if progress is not None:
+            progress(int(done[0]))
+        return own
+
+    if threads == 1:
+        last = [work(bounds) for bounds in _chunks(runs, threads)][-1]
+    else:
+        with ThreadPoolExecutor(threads) as pool:
+            last = list(pool.map(work, _chunks(runs, threads)))[-1]
+    return last if traced and runs == 1 else None
+
+
+def _run_plain(
+    prepared: Prepared, changes: Overrides, out: Outcome, traced: bool, progress: Any
+) -> Memory | None:
+    """Step a controller that is any Python object, run after run."""
+    plan = prepared.plan
+    own = memory(prepared, 1, traced)
+    every = plan.timing.control_every
+    period = every * plan.timing.tick
+    setup = controller_setup(prepared.scenario, period)
+    for run in range(len(out.train)):
+        kernel.begin_single(own, plan, changes, run)
+        state = prepared.controller.reset(setup)
+        moment = 0
+        while kernel.before_control_single(own, plan, out, moment) == RunStatus.RUNNING:
+            if moment % every == 0:
+                own.command[0] = plain_step(prepared.controller, state, own.measured[0], period)
+            kernel.after_control_single(own, plan, moment, prepared.creep_law)
+            moment += 1
+        if progress is not None:
+            progress(run + 1)
+    return own if traced and len(out.train) == 1 else None

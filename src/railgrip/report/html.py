@@ -1,0 +1,215 @@
+"""One self-contained page about a run: opens offline, loads nothing, runs only its own scripts."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+from collections.abc import Mapping
+from html import escape
+from importlib.resources import files
+from pathlib import Path
+from string import Template
+from typing import Any
+
+from railgrip.core.status import RunStatus
+from railgrip.report import tables
+from railgrip.report.energy import energy_table
+from railgrip.report.limits import check_limits
+from railgrip.report.metrics import axle_table, metrics, status_sentence
+from railgrip.report.payload import payload
+from railgrip.report.view import View, dataset_of
+
+SCRIPTS = ("data.js", "look.js", "charts.js", "page.js")
+
+CHARTS = {
+    "speed": ("Speeds of train and wheels, km/h", "wheel_speed"),
+    "slip": ("Slip, (reference − wheel)/reference speed, %", "wheel_speed"),
+    "pressure": ("Brake cylinder pressure, bar", "brake_cylinder_pressure"),
+    "valve": ("Dump valves", "dump_valve"),
+    "adhesion": ("Adhesion used and available, force over wheel load", "adhesion_used"),
+    "deceleration": ("Deceleration of the train, m/s²", "acceleration"),
+    "temperature": ("Brake disc (or tread) temperature, °C", "disc_temperature"),
+    "reservoir": ("Reservoir pressure, bar", "reservoir_pressure"),
+    "rail": ("Rail friction along the line, before and after the train", "rail_friction_after"),
+    "energy": ("Friction energy that the rail received, kJ/m", "rail_energy"),
+    "sand": ("Sand laid on the rail, g/m", "rail_sand"),
+}
+
+
+def write_report(
+    result: Any,
+    path: str | Path,
+    *,
+    ghost: Mapping[str, Any] | None = None,
+    measured: Any | None = None,
+    limits: Mapping[str, float] | None = None,
+    run: int = 0,
+) -> Path:
+    """Write the page about a run.
+
+    Parameters
+    ----------
+    result : Result or xarray.Dataset
+        What the engine gave, with traces.
+    path : str or Path
+        The HTML file to write.
+    ghost : mapping, optional
+        Name → other result; drawn as pale curves and compared in a table.
+    measured : MeasuredComparison, optional
+        What `railgrip.io.measured.compare_measured` gave; drawn dashed, its table shown.
+    limits : mapping, optional
+        Limits in SI; those of the scenario in the dataset if not given.
+    run : int
+        Which run of the batch.
+
+    Returns
+    -------
+    Path
+        The file written.
+    """
+    from railgrip.io.atomic import write_aside
+
+    target = Path(path)
+    page = report_html(result, ghost=ghost, measured=measured, limits=limits, run=run)
+    with write_aside(target) as aside:
+        Path(aside).write_text(page, encoding="utf-8")
+    return target
+
+
+def report_html(
+    result: Any,
+    *,
+    ghost: Mapping[str, Any] | None = None,
+    measured: Any | None = None,
+    limits: Mapping[str, float] | None = None,
+    run: int = 0,
+) -> str:
+    """Return the page about a run as text; see `write_report`."""
+    view = View(dataset_of(result), run)
+    ghosts = {name: View(dataset_of(other)) for name, other in (ghost or {}).items()}
+    script = '"use strict";\n(() => {\n' + "".join(_template(name) for name in SCRIPTS) + "})();\n"
+    uplot = _vendored("uPlot.iife.min.js")
+    style = _vendored("uPlot.min.css") + _template("page.css")
+    figures = metrics(view.dataset, run)
+    return Template(_template("page.html")).substitute(
+        policy=_policy([uplot, script], style),
+        licence=_vendored("LICENSE").strip().replace("--", "- -"),
+        style=style,
+        uplot=uplot,
+        script=script,
+        data=_harmless(json.dumps(payload(view, ghosts, measured), separators=(",", ":"))),
+        title=escape(view.title),
+        cards=tables.cards(figures),
+        limits=tables.limit_list(check_limits(view.dataset, _limits(view, limits), run)),
+        comparison=_comparison(view, ghosts, measured),
+        charts="\n".join(_figure(view, name) for name in CHARTS if _drawn(view, name)),
+        metrics=tables.metric_table(figures),
+        energy=tables.energy_rows(energy_table(view.dataset, run)),
+        axles=_axles(view),
+        scenario=_scenario(view),
+        **_heading(view),
+    )
+
+
+def _heading(view: View) -> dict[str, str]:
+    ended = view.number("status")
+    well = ended in (RunStatus.STOPPED, RunStatus.ARRIVED)
+    start = view.start if view.has("train_position") else 0.0
+    return {
+        "status": escape(status_sentence(view.dataset, view.run)),
+        "state": "good" if well else "bad",
+        "version": escape(str(view.dataset.attrs.get("version", "?"))),
+        "seed": escape(str(view.dataset.attrs.get("seed", "–"))),
+        "where": f" · starts at km {start / 1e3:.3f} of the line" if start else "",
+    }
+
+
+def _limits(view: View, given: Mapping[str, float] | None) -> Mapping[str, float]:
+    if given is not None:
+        return given
+    stated = view.scenario.get("limits")
+    if not isinstance(stated, Mapping):
+        return {}
+    return {name: value for name, value in stated.items() if isinstance(value, int | float)}
+
+
+def _drawn(view: View, name: str) -> bool:
+    signal = CHARTS[name][1]
+    if name == "sand":
+        return view.has(signal) and bool((view.get(signal) > 0).any())
+    return view.has("train_speed") and view.has(signal)
+
+
+def _figure(view: View, name: str) -> str:
+    words = CHARTS[name][0]
+    told = f"Chart: {words}; {view.title}. The figures are in the tables of this page."
+    return (
+        f'<figure><figcaption>{escape(words)}</figcaption><div class="key" id="key-{name}"></div>'
+        f'<div class="chart" id="chart-{name}" role="img" tabindex="0" '
+        f'aria-label="{escape(told)}"></div></figure>'
+    )
+
+
+def _comparison(view: View, ghosts: Mapping[str, View], measured: Any | None) -> str:
+    parts = []
+    if ghosts:
+        runs = {view.title: metrics(view.dataset, view.run)}
+        for name, other in ghosts.items():
+            runs[name if name not in runs else f"{name} (other)"] = metrics(other.dataset)
+        parts.append(f'<div class="scroll">{tables.comparison_table(runs)}</div>')
+    if measured is not None:
+        parts.append(f'<div class="scroll">{tables.difference_table(measured.rows)}</div>')
+    if not parts:
+        return ""
+    head = '<section aria-labelledby="h-compared">\n<h2 id="h-compared">Compared</h2>\n'
+    return head + "\n".join(parts) + "\n</section>"
+
+
+def _axles(view: View) -> str:
+    table = axle_table(view.dataset, view.run)
+    if not table.heads:
+        return ""
+    worst = view.axles[view.worst_axle] if view.has("axle_slid_energy") else ""
+    return (
+        '<section aria-labelledby="h-axles">\n<h2 id="h-axles">Axle by axle</h2>\n'
+        f'<div class="scroll">{tables.axle_rows(table, worst)}</div>\n</section>'
+    )
+
+
+def _scenario(view: View) -> str:
+    text = str(view.dataset.attrs.get("scenario_text", ""))
+    if not text and view.scenario:
+        text = json.dumps(view.scenario, indent=2, ensure_ascii=False)
+    if not text:
+        return ""
+    return (
+        '<section aria-labelledby="h-scenario">\n<h2 id="h-scenario">Scenario</h2>\n'
+        f"<details><summary>What was run</summary><pre>{escape(text)}</pre></details>\n</section>"
+    )
+
+
+def _policy(scripts: list[str], style: str) -> str:
+    """Return a policy that lets exactly these scripts and this style run, and loads nothing."""
+    hashes = " ".join(f"'sha256-{_sha256(script)}'" for script in scripts)
+    return (
+        f"default-src 'none'; script-src {hashes}; style-src 'sha256-{_sha256(style)}'; "
+        "img-src data:; base-uri 'none'; form-action 'none'"
+    )
+
+
+def _sha256(text: str) -> str:
+    return base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
+
+
+def _harmless(text: str) -> str:
+    """Return JSON that cannot end the script element it stands in."""
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def _template(name: str) -> str:
+    return (files("railgrip.report") / "template" / name).read_text(encoding="utf-8")
+
+
+def _vendored(name: str) -> str:
+    return (files("railgrip.report") / "vendor" / "uplot" / name).read_text(encoding="utf-8")

@@ -1,0 +1,219 @@
+"""A run as compact JSON for the page: thinned traces, two bytes a number."""
+
+from __future__ import annotations
+
+import base64
+from typing import Any, Protocol
+
+import numpy as np
+
+from railgrip.report.thresholds import thresholds
+from railgrip.report.units import shown
+from railgrip.report.view import Array, View
+
+TRAIN = ("train_speed", "reference_speed", "acceleration", "brake_demand")
+AXLE = (
+    "wheel_speed",
+    "brake_cylinder_pressure",
+    "adhesion_used",
+    "adhesion_available",
+    "adhesion_asked",
+    "disc_temperature",
+    "dump_valve",
+)
+RAIL = ("rail_friction_before", "rail_friction_after", "rail_energy", "rail_sand")
+GHOST_TRAIN = ("train_speed", "reference_speed", "acceleration")
+GHOST_AXLE = ("wheel_speed", "brake_cylinder_pressure")
+MISSING = 65535
+GHOST_POINTS = 1500
+
+
+class Overlay(Protocol):
+    """What a measured stop must offer to be drawn over a run; arrays in SI on one time axis."""
+
+    @property
+    def title(self) -> str:
+        """Name in legends."""
+
+    @property
+    def time(self) -> Array:
+        """Time on the run's own time axis, s."""
+
+    @property
+    def distance(self) -> Array:
+        """Distance on the run's own distance axis, m."""
+
+    @property
+    def train(self) -> dict[str, Array]:
+        """Signal name → values."""
+
+    @property
+    def axles(self) -> dict[str, dict[str, Array]]:
+        """Signal name → axle label → values."""
+
+
+def packed(values: Array) -> dict[str, Any]:
+    """Return values as base64 of 16-bit steps between their least and greatest.
+
+    Examples
+    --------
+    >>> packed(np.array([1.0, 1.0]))
+    {'n': 2, 'low': 1.0}
+    """
+    finite = values[np.isfinite(values)]
+    if len(finite) == 0:
+        return {"n": len(values), "low": None}
+    low, high = float(finite.min()), float(finite.max())
+    if low == high and len(finite) == len(values):
+        return {"n": len(values), "low": _short(low)}
+    step = (high - low) / (MISSING - 1) or 1.0
+    counts = np.where(np.isfinite(values), np.round((values - low) / step), MISSING)
+    return {"low": low, "step": step, "u16": _base64(counts.astype("<u2"))}
+
+
+def plain(values: Array) -> dict[str, Any]:
+    """Return values as base64 of 32-bit floats, for axes that must keep their order."""
+    return {"f32": _base64(values.astype("<f4"))}
+
+
+def _base64(values: np.ndarray[Any, Any]) -> str:
+    return base64.b64encode(values.tobytes()).decode("ascii")
+
+
+def _short(value: float) -> float:
+    return float(f"{value:.6g}")
+
+
+class Thinner:
+    """Thin traces to at most `most` points, keeping the peaks.
+
+    Each stretch of samples becomes two: its least and its greatest value, in their order. So a
+    vent pulse or a short lock stays visible, displaced by less than the stretch.
+
+    Examples
+    --------
+    >>> thin = Thinner(8, 4)
+    >>> thin(np.array([0.0, 0, 9, 0, 1, 1, 1, 1])).tolist()
+    [0.0, 9.0, 1.0, 1.0]
+    """
+
+    def __init__(self, samples: int, most: int) -> None:
+        self.stretch = 1 if samples <= most else -(-samples // max(1, most // 2))
+
+    def axis(self, x: Array) -> Array:
+        """Thin an axis: the start and the middle of each stretch."""
+        if self.stretch == 1:
+            return x
+        cut = self._cut(x)
+        return np.ravel(cut[:, [0, self.stretch // 2]])
+
+    def __call__(self, values: Array) -> Array:
+        """Thin a trace."""
+        if self.stretch == 1:
+            return values
+        cut = self._cut(values)
+        low = np.where(np.isnan(cut), np.inf, cut).argmin(axis=1)
+        high = np.where(np.isnan(cut), -np.inf, cut).argmax(axis=1)
+        rows = np.arange(len(cut))
+        pair = np.stack([cut[rows, np.minimum(low, high)], cut[rows, np.maximum(low, high)]], 1)
+        return np.ravel(pair)
+
+    def _cut(self, values: Array) -> Array:
+        short = -len(values) % self.stretch
+        return np.pad(values, (0, short), mode="edge").reshape(-1, self.stretch)
+
+
+def payload(
+    view: View, ghosts: dict[str, View] | None = None, measured: Overlay | None = None
+) -> dict[str, Any]:
+    """Return all that the page draws, in the engineer's units."""
+    axle_signals = [name for name in AXLE if view.has(name)]
+    letters = len(view.axles) * len(axle_signals) * 2 * 4 / 3  # of base64, for one point in time
+    budget = 1.3e6 + 40e3 * max(0, len(view.axles) - 16)
+    thin = Thinner(len(view.time), int(np.clip(budget / max(letters, 1.0), 600, 6000)))
+    page = _run(view, thin, TRAIN, tuple(axle_signals))
+    page |= {
+        "vehicles": view.vehicles,
+        "vehicle_of": view.vehicle_of,
+        "worst": view.worst_axle if view.has("wheel_speed") else 0,
+        "vehicle": {},
+        "rail": _rail(view),
+        "thresholds": [
+            {"name": name, "values": packed(thin(curve * 100))}
+            for name, curve in thresholds(view).items()
+        ],
+        "ghosts": [],
+    }
+    if view.has("reservoir_pressure"):
+        bars = view.get("reservoir_pressure") / 1e5
+        page["vehicle"]["reservoir_pressure"] = [packed(thin(bar)) for bar in bars]
+    for name, other in (ghosts or {}).items():
+        less = Thinner(len(other.time), GHOST_POINTS)
+        page["ghosts"].append({"name": name, **_run(other, less, GHOST_TRAIN, GHOST_AXLE)})
+    if measured is not None:
+        page["ghosts"].append(_measured(measured))
+    return page
+
+
+def _run(
+    view: View, thin: Thinner, train: tuple[str, ...], axle: tuple[str, ...]
+) -> dict[str, Any]:
+    def shown_values(name: str) -> Array:
+        values = view.get(name) * shown(name).factor
+        return np.abs(values) if name == "adhesion_used" else values
+
+    return {
+        "axles": view.axles,
+        "time": plain(thin.axis(view.time)),
+        "distance": plain(thin.axis(view.distance)),
+        "train": {
+            name: packed(thin(shown_values(name)))
+            for name in train
+            if view.has(name) and (name != "reference_speed" or view.has_reference)
+        },
+        "axle": {
+            name: [packed(thin(row)) for row in shown_values(name)]
+            for name in axle
+            if view.has(name)
+        },
+    }
+
+
+def _measured(stop: Overlay) -> dict[str, Any]:
+    thin = Thinner(len(stop.time), 2 * GHOST_POINTS)
+
+    def pack(name: str, values: Array) -> dict[str, Any]:
+        return packed(thin(values * shown(name).factor))
+
+    labels = list(dict.fromkeys(label for rows in stop.axles.values() for label in rows))
+    nothing = np.full(len(stop.time), np.nan)
+    return {
+        "name": stop.title,
+        "measured": True,
+        "axles": labels,
+        "time": plain(thin.axis(stop.time)),
+        "distance": plain(thin.axis(stop.distance)),
+        "train": {name: pack(name, values) for name, values in stop.train.items()},
+        "axle": {
+            name: [pack(name, rows.get(label, nothing)) for label in labels]
+            for name, rows in stop.axles.items()
+        },
+    }
+
+
+def _rail(view: View) -> dict[str, Any]:
+    present = [name for name in RAIL if view.has(name) and (view.get(name) > 0).any()]
+    if not present or not view.has("train_position"):
+        return {}
+    x = np.asarray(view.dataset["cell"].values, dtype=np.float64) - view.start
+    energy = view.get("rail_energy") if view.has("rail_energy") else np.zeros_like(x)
+    touched = np.flatnonzero(energy > 0)
+    first = touched[0] if len(touched) else int(np.searchsorted(x, 0.0))
+    run_over = np.flatnonzero(x <= view.distance[-1] + 20.0)
+    last = run_over[-1] if len(run_over) else len(x) - 1
+    part = slice(max(0, first - 5), last + 1)
+    thin = Thinner(len(x[part]), 4000)
+    return {
+        "x": plain(thin.axis(x[part])),
+        **{name: packed(thin(view.get(name)[part] * shown(name).factor)) for name in present},
+    }

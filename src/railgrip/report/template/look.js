@@ -1,0 +1,38 @@
+// Colours that colour-blind readers tell apart (Okabe and Ito 2008), lighter ones for the dark.
+
+const dark = window.matchMedia("(prefers-color-scheme: dark)");
+let printing = false;
+
+const LIGHT = {
+  ink: "#1b2227", soft: "#5a666e", grid: "#e6eaed", ghost: "#9aa5ad",
+  many: ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"],
+  range: "rgba(0,114,178,0.18)", valves: ["#dde6ec", "#e69f00", "#b2182b"], measured: "#b2182b",
+};
+const DARK = {
+  ink: "#e6eaed", soft: "#a3aeb6", grid: "#2a333b", ghost: "#6d7880",
+  many: ["#56b4e9", "#f0823c", "#2fc99a", "#e39bc8", "#f0c24b", "#b5a8ff"],
+  range: "rgba(86,180,233,0.20)", valves: ["#2f3a43", "#d99000", "#ff5d5d"], measured: "#ff8f8a",
+};
+const look = () => (dark.matches && !printing ? DARK : LIGHT);
+
+// Few axles: a colour each. Many: the colour of their vehicle.
+function axleColour(axle, picked) {
+  const many = look().many;
+  if (picked.length <= many.length) return many[picked.indexOf(axle) % many.length];
+  return vehicleColour(data.vehicle_of[axle]);
+}
+
+function vehicleColour(vehicle) {
+  const many = look().many;
+  if (data.vehicles.length <= many.length) return many[vehicle];
+  const lightness = look() === DARK ? 70 : 40;
+  return `hsl(${200 + (250 * vehicle) / data.vehicles.length} 70% ${lightness}%)`;
+}
+
+const VALVES = ["FILL", "HOLD", "VENT"];
+
+function shown(value, decimals, unit) {
+  if (value === null || value === undefined || Number.isNaN(value)) return "–";
+  const text = value.toFixed(decimals);
+  return (Number(text) === 0 ? text.replace("-", "") : text) + (unit ? " " + unit : "");
+}

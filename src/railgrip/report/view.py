@@ -1,0 +1,158 @@
+"""One run of a dataset as plain arrays, cut off where the run ended."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from railgrip.core.errors import Problem, RailgripError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+
+
+def dataset_of(result: Any) -> xr.Dataset:
+    """Return the dataset of a result; a dataset is its own."""
+    data: xr.Dataset = result if hasattr(result, "data_vars") else result.data
+    return data
+
+
+@dataclass(frozen=True)
+class View:
+    """One run as plain arrays in SI units.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        A result with the names of the signal catalogue.
+    run : int
+        Which run, counted from 0.
+
+    Raises
+    ------
+    RailgripError
+        ``run: there is no run 3; allowed: 0 to 0``
+    """
+
+    dataset: xr.Dataset
+    run: int = 0
+
+    def __post_init__(self) -> None:
+        runs = self.dataset.sizes.get("run", 1)
+        if not 0 <= self.run < runs:
+            what = f"there is no run {self.run}"
+            raise RailgripError(Problem("run", what, allowed=f"0 to {runs - 1}"))
+
+    def has(self, name: str) -> bool:
+        """Whether the dataset carries any number under this name."""
+        return name in self.dataset and bool(np.isfinite(self._all(name)).any())
+
+    def get(self, name: str) -> Array:
+        """Values of a signal, time last and only until the end of the run."""
+        if name not in self.dataset:
+            known = ", ".join(sorted(str(key) for key in self.dataset.data_vars))
+            raise RailgripError(f"the result has no '{name}'; it has: {known}")
+        values = self._all(name)
+        if "time" in self.dataset[name].dims:
+            return values[..., : self._steps]
+        return values
+
+    def number(self, name: str) -> float:
+        """A single outcome of the run, NaN where the dataset has none."""
+        return float(self._all(name)) if name in self.dataset else float("nan")
+
+    def _all(self, name: str) -> Array:
+        variable = self.dataset[name]
+        if "run" in variable.dims:
+            variable = variable.isel(run=self.run)
+        if "time" in variable.dims:
+            variable = variable.transpose(..., "time")
+        return np.asarray(variable.values, dtype=np.float64)
+
+    @cached_property
+    def _steps(self) -> int:
+        finite = np.flatnonzero(np.isfinite(self._all("train_speed")))
+        return int(finite[-1]) + 1 if len(finite) else 0
+
+    @cached_property
+    def time(self) -> Array:
+        """Time from the start of the record, s."""
+        return np.asarray(self.dataset["time"].values, dtype=np.float64)[: self._steps]
+
+    @cached_property
+    def distance(self) -> Array:
+        """Distance run from the start of the record, m."""
+        position = self.get("train_position")
+        return np.asarray(position - position[:1])
+
+    @cached_property
+    def start(self) -> float:
+        """Position on the line where the record starts, m."""
+        return float(self.get("train_position")[0])
+
+    @cached_property
+    def axles(self) -> list[str]:
+        """Labels of the axles, front first."""
+        return [str(label) for label in self.dataset["axle"].values]
+
+    @cached_property
+    def vehicle_of(self) -> list[int]:
+        """Index of the vehicle of each axle, read from the label."""
+        found = [re.search(r"V(\d+)", label) for label in self.axles]
+        numbers = [int(match.group(1)) if match else 1 for match in found]
+        order = {number: k for k, number in enumerate(dict.fromkeys(numbers))}
+        return [order[number] for number in numbers]
+
+    @cached_property
+    def vehicles(self) -> list[str]:
+        """Names of the vehicles, front first."""
+        count = max(self.vehicle_of, default=-1) + 1
+        if "vehicle" in self.dataset.coords and self.dataset.sizes["vehicle"] == count:
+            names = [str(name) for name in self.dataset["vehicle"].values]
+            return [f"V{name}" if name.isdigit() else name for name in names]
+        return [f"V{k + 1}" for k in range(count)]
+
+    @cached_property
+    def title(self) -> str:
+        """Title of the scenario."""
+        return str(self.dataset.attrs.get("title") or "Untitled run")
+
+    @cached_property
+    def scenario(self) -> dict[str, Any]:
+        """The scenario as the dataset carries it, empty if it carries none."""
+        try:
+            read = json.loads(str(self.dataset.attrs.get("scenario_json", "{}")))
+        except ValueError:
+            return {}
+        return read if isinstance(read, dict) else {}
+
+    @cached_property
+    def slip(self) -> Array:
+        """Slip as the controller counts it (axle, time); NaN below 3 km/h.
+
+        Where no controller gives a reference speed, the train's speed stands in for it.
+        """
+        reference = self.get("reference_speed" if self.has_reference else "train_speed")
+        known = np.where(reference > 3 / 3.6, reference, np.nan)
+        return np.asarray(1.0 - self.get("wheel_speed") / known)
+
+    @cached_property
+    def has_reference(self) -> bool:
+        """Whether a controller gave a reference speed."""
+        return self.has("reference_speed") and bool((self.get("reference_speed") > 0).any())
+
+    @cached_property
+    def worst_axle(self) -> int:
+        """Index of the axle that slid most: by energy, else by its greatest slip."""
+        if self.has("axle_slid_energy"):
+            return int(np.nanargmax(self.get("axle_slid_energy")))
+        greatest = np.nanmax(np.nan_to_num(self.slip), axis=1)
+        return int(np.argmax(greatest))
