@@ -1,7 +1,8 @@
 """Code blocks of a Markdown page, in the order in which a reader would try them.
 
 - ``bash`` and ``python`` blocks are run; one after ``<!-- not run: why -->`` is not.
-- A block after ``<!-- file: NAME -->`` is saved under that name instead.
+- A block after ``<!-- file: NAME -->`` is saved under that name instead; a ``literalinclude``
+  stands for the file that it includes.
 - A command after ``<!-- exit code: N -->`` must end with N.
 - A ``text`` block that follows a run block directly is what that block prints; ``...`` stands for
   anything.
@@ -44,7 +45,10 @@ def blocks(page: Path) -> list[Block]:
             note, follows_block = match["note"], False
         else:
             number = text.count("\n", 0, match.start()) + 1
-            block = _block(number, match["language"], match["code"], note)
+            language, code = match["language"], match["code"]
+            if language.startswith("{literalinclude} "):
+                code = (page.parent / language.split()[1]).read_text(encoding="utf-8")
+            block = _block(number, language, code, note)
             if block is not None:
                 found.append(block)
             elif match["language"] == "text" and follows_block and not note:

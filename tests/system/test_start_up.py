@@ -6,7 +6,17 @@ import subprocess
 import sys
 import time
 
-HEAVY = {"numba", "llvmlite", "scipy", "xarray", "pandas", "matplotlib", "pint", "numpy", "pydantic"}
+HEAVY = {
+    "numba",
+    "llvmlite",
+    "scipy",
+    "xarray",
+    "pandas",
+    "matplotlib",
+    "pint",
+    "numpy",
+    "pydantic",
+}
 
 
 def help_of(*arguments: str) -> subprocess.CompletedProcess[str]:

@@ -66,7 +66,7 @@ def execute(words: list[str]) -> int:
         return BAD_INPUT
     except BrokenPipeError:
         # The reader of our output has gone, as `railgrip list | head` does; nothing is wrong.
-        sys.stdout = None  # type: ignore[assignment]
+        sys.stdout = None
         return 0
     except OSError as error:
         place = str(error.filename or "")

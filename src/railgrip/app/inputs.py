@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from railgrip.core.errors import Problem, RailgripError
+from railgrip.core.errors import Problem, RailgripError, unknown_name
 
 if TYPE_CHECKING:
     from railgrip.scenario import Scenario
@@ -64,3 +64,21 @@ def _value(text: str) -> Any:
     except (tomllib.TOMLDecodeError, RecursionError):
         return text
     return table["value"] if len(table) == 1 else text
+
+
+def formats_from(word: str) -> list[str]:
+    """Return the formats that ``--figures png,svg`` names.
+
+    Examples
+    --------
+    >>> formats_from("png, svg")
+    ['png', 'svg']
+    """
+    known = ("png", "svg", "pdf")
+    formats = [part.strip() for part in word.split(",") if part.strip()]
+    wrong = [
+        unknown_name("--figures", "format", part, known) for part in formats if part not in known
+    ]
+    if wrong:
+        raise RailgripError(wrong)
+    return formats

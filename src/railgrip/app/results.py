@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import importlib
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +11,7 @@ from railgrip.app.screen import print_table
 from railgrip.core.status import RunStatus
 
 if TYPE_CHECKING:
-    from railgrip.engine import Result
+    from railgrip.engine.result import Result
     from railgrip.report.limits import Verdict
 
 DONE, MISSED = 0, 1
@@ -26,7 +26,7 @@ def verdicts(result: Result) -> list[Verdict]:
 
 def stopped(result: Result) -> bool:
     """Whether the train came to a stand."""
-    return int(result.data["status"][0]) == RunStatus.STOPPED
+    return result.status == RunStatus.STOPPED
 
 
 def exit_code(result: Result) -> int:
@@ -36,12 +36,12 @@ def exit_code(result: Result) -> int:
 
 def as_json(result: Result, files: list[Path]) -> dict[str, Any]:
     """Return what `--json` prints of one run."""
-    from railgrip.report.metrics import metrics, status_sentence
+    from railgrip.report.metrics import metrics
 
     return {
         "title": result.scenario.title,
-        "status": RunStatus(int(result.data["status"][0])).name,
-        "sentence": status_sentence(result),
+        "status": result.status.name,
+        "sentence": result.sentence,
         "metrics": {m.name: {"value": m.value, "unit": m.unit} for m in metrics(result)},
         "limits": [
             {"name": v.name, "value": v.value, "limit": v.limit, "unit": v.unit, "passed": v.passed}
@@ -54,7 +54,7 @@ def as_json(result: Result, files: list[Path]) -> dict[str, Any]:
 
 def show(result: Result, name: str) -> None:
     """Print the figures of one run with their limits."""
-    from railgrip.report.metrics import metrics, status_sentence
+    from railgrip.report.metrics import metrics
 
     held = {verdict.name: verdict for verdict in verdicts(result)}
     rows = []
@@ -64,24 +64,47 @@ def show(result: Result, name: str) -> None:
         word = ("kept" if verdict.passed else "MISSED") if verdict else ""
         rows.append([metric.label, metric.text, limit, word])
     print_table(result.scenario.title or name, ["", "result", "limit", ""], rows)
-    print(status_sentence(result))
+    print(result.sentence)
 
 
-def write(result: Result, folder: Path, **report: Any) -> list[Path]:
-    """Write report, data, curves and figures into a folder, all or nothing; return their paths."""
-    # Each of these is heavy, so they are imported when they are needed.
-    csv_file, netcdf, html, plots = (
-        importlib.import_module(f"railgrip.{name}")
-        for name in ("io.csv_file", "io.netcdf", "report.html", "report.plots")
-    )
+def write(result: Result, folder: Path, formats: Sequence[str] = (), **report: Any) -> list[Path]:
+    """Write report, data and curves into a folder, all or nothing; return their paths.
+
+    Parameters
+    ----------
+    result : Result
+        What the engine gave, with traces.
+    folder : Path
+        Made if it is not there.
+    formats : sequence of str
+        ``png``, ``svg``, ``pdf``: figures for documents, which take longer than the simulation.
+    **report
+        ``ghost`` and ``measured`` of `railgrip.report.html.write_report`.
+    """
+    from railgrip.io.csv_file import write_csv
+    from railgrip.io.netcdf import save
+    from railgrip.report.html import write_report
+
     with folder_of_results(folder) as aside:
-        html.write_report(result, aside / "report.html", **report)
-        netcdf.save(result, aside / "result.nc")
-        csv_file.write_csv(result, aside / "traces.csv")
-        plots.save_figures(result, aside)
+        write_report(result, aside / "report.html", **report)
+        save(result, aside / "result.nc")
+        write_csv(result, aside / "traces.csv")
+        if formats:
+            from railgrip.report.plots import save_figures
+
+            save_figures(result, aside, formats)
         names = sorted(path.name for path in aside.iterdir())
     names.sort(key=lambda name: name != "report.html")
     return [folder / name for name in names]
+
+
+def show_missed(result: Result, name: str) -> None:
+    """Print what a run among others missed, nothing if all is well."""
+    if not stopped(result):
+        print(f"{name}: {result.sentence}")
+    for verdict in verdicts(result):
+        if not verdict.passed:
+            print(f"{name}: {verdict.text}")
 
 
 def name_files(files: list[Path]) -> None:

@@ -87,7 +87,7 @@ class ConventionalParameters(NamedTuple):
     slip_speed_lower_floor: float = 0.15
     slip_speed_upper_floor: float = 0.25
     lead_time: float = 0.2
-    acceleration_filter: float = 0.08
+    acceleration_filter: float = 0.04
     fill_pulse: float = 0.08
     fill_hold: float = 0.20
     settle_time: float = 1.5
@@ -101,13 +101,13 @@ class ConventionalParameters(NamedTuple):
     reference_rise: float = 3.0
     drift_rate: float = 0.1
     drift_share: float = 0.25
-    drift_floor: float = 0.1
+    drift_floor: float = 0.2
     free_longest: float = 6.0
     dynamic_least_force: float = 500.0
     dynamic_release_time: float = 0.3
     dynamic_return_time: float = 3.0
     dynamic_return_after: float = 3.0
-    diameter_time: float = 10.0
+    diameter_time: float = 4.0
     diameter_bound: float = 0.05
     diameter_least_speed: float = 8.0
     dead_speed: float = 0.5

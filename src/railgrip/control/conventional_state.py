@@ -37,7 +37,8 @@ KEPT_CLOCK: Final = 10  # time released without turning faster, s
 SAFETY_FILL: Final = 11  # 1 after the safety timer ran out, until the wheel is alive
 HANDED_OVER: Final = 12  # 1 while the dynamic brake is handed over to the friction brake
 SAND_CLOCK: Final = 13  # > 0: sand is asked for so much longer; < 0: time slid so far, s
-N_AXLE: Final = 14
+WITNESS_CLOCK: Final = 14  # time the wheel has turned at the reference speed, s
+N_AXLE: Final = 15
 
 
 def axle_base(axle: int) -> int:
@@ -46,7 +47,7 @@ def axle_base(axle: int) -> int:
     Examples
     --------
     >>> axle_base(0), axle_base(2)
-    (12, 40)
+    (12, 42)
     """
     return N_TRAIN + axle * N_AXLE
 
@@ -57,6 +58,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(16)
-    236
+    252
     """
     return N_TRAIN + n_axles * N_AXLE

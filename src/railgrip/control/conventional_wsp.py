@@ -43,6 +43,7 @@ from railgrip.control.conventional_state import (
     SEEN_SPEED,
     SPEED,
     SPEED_LAG,
+    WITNESS_CLOCK,
     axle_base,
     state_size,
 )
@@ -70,6 +71,7 @@ def conventional_initial(
         fastest = max(fastest, speed)
         state[base + DIAMETER] = 1.0
         state[base + ADHERED_CLOCK] = LONG_AGO
+        state[base + WITNESS_CLOCK] = LONG_AGO
         state[base + SPEED] = speed
         state[base + SPEED_LAG] = speed
     state[REFERENCE] = fastest

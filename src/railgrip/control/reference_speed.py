@@ -49,8 +49,8 @@ GREATEST_OFFSET = 0.5  # m/s²: a gradient of 50 ‰
 GREATEST_DECELERATION = 3.0  # m/s²: beyond any wheel-rail brake
 LEARNING_PRESSURE = 4.0e4  # Pa: below it the springs of the rigging decide
 LEARNING_TIME = 0.3  # s
-SURPRISE_SHARE = 1.2  # a fastest wheel that falls faster than so much of the estimate
-SURPRISE = 0.2  # and so much more, m/s², has begun to slide: nothing is learned from it
+SURPRISE_SHARE = 0.2  # of the estimate: a fastest wheel that falls otherwise by more than this
+SURPRISE = 0.2  # and so much more, m/s², slides or comes back: nothing is learned from it
 LEAST_GAIN_SHARE = 0.5  # of the first guess
 GREATEST_GAIN_SHARE = 2.0
 SIGHT_INTERVAL = 1.5  # s: two sights of the train speed so far apart give a deceleration
@@ -113,7 +113,7 @@ def learn_pressure_gain(
     state[EFFORT_LAG] += blend * (effort - state[EFFORT_LAG])
     slope = (state[FASTEST_LAG] - fastest) / parameters[SLOPE_FILTER]
     expected = state[PRESSURE_GAIN] * state[EFFORT_LAG] + state[OFFSET]
-    if not is_adhering or slope > SURPRISE_SHARE * expected + SURPRISE:
+    if not is_adhering or abs(slope - expected) > SURPRISE_SHARE * expected + SURPRISE:
         return
     learning = dt / LEARNING_TIME
     if state[EFFORT_LAG] > LEARNING_PRESSURE:

@@ -15,15 +15,16 @@ from railgrip.control.conventional_parameters import (
     DYNAMIC_LEAST_FORCE,
     EMPTY_PRESSURE,
     PRESSURE_PER_FORCE,
+    SLIP_LOWER,
 )
 from railgrip.control.conventional_state import (
     ACCELERATION,
-    ADHERED_CLOCK,
     IS_FAULTY,
     REFERENCE,
     SETTLED_CLOCK,
     SLIDES,
     SPEED,
+    WITNESS_CLOCK,
     axle_base,
 )
 from railgrip.control.reference_speed import (
@@ -38,7 +39,9 @@ LOCKED_SHARE: Final = 0.05  # of the reference speed: the brake of a locked whee
 GAINING_ACCELERATION: Final = 0.2  # m/s²: an unbraked wheel that gains no more turns with the train
 SETTLED_AFTER: Final = 0.25  # s: an unbraked wheel that has gained nothing so long shows the train
 FREE_SHARE: Final = 0.9  # of the fastest wheel: a free wheel is never much slower, a locked one is
-WITNESS_AFTER: Final = 1.0  # s: an axle that has adhered so long is a witness of the train speed
+WITNESS_SLIP: Final = 0.01  # a wheel so close to the reference speed, or this close in m/s,
+WITNESS_FLOOR: Final = 0.15
+WITNESS_AFTER: Final = 1.0  # s: and for so long, is a witness of the train speed
 ENOUGH_WITNESSES: Final = 2  # one alone is always at its own speed
 
 
@@ -59,6 +62,8 @@ def observe_train(
         Period, [s].
     """
     n_axles = measured.shape[0]
+    near = state[REFERENCE] * min(parameters[SLIP_LOWER], WITNESS_SLIP)
+    near = max(WITNESS_FLOOR, near)
     fastest = 0.0
     candidate = -1
     seen = -1.0
@@ -81,7 +86,7 @@ def observe_train(
             seen = max(seen, speed)
         if state[base + SLIDES] > 0.0:
             n_sliding += 1
-        if state[base + ADHERED_CLOCK] > WITNESS_AFTER:
+        if is_near(state, base, near, dt):
             n_witnesses += 1
         if speed > fastest:
             fastest = speed
@@ -106,6 +111,14 @@ def braking_pressure(parameters: FloatArray, measured: FloatArray, axle: int) ->
         + parameters[PRESSURE_PER_FORCE] * measured[axle, DYNAMIC_FORCE]
     )
     return pressure if 0.0 < pressure < 1.0e7 else 0.0
+
+
+def is_near(state: FloatArray, base: int, near: float, dt: float) -> bool:
+    """Return whether a wheel has turned at the reference speed for a while."""
+    slip_speed = state[REFERENCE] - state[base + SPEED]
+    clock: float = state[base + WITNESS_CLOCK] + dt if slip_speed < near else 0.0
+    state[base + WITNESS_CLOCK] = clock
+    return clock > WITNESS_AFTER
 
 
 def settle(

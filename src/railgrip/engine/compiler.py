@@ -46,12 +46,11 @@ _compiled: dict[Callable[..., Any], Any] = {}
 
 def _with_compiled_callees(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return the function with every plain function that it names replaced by its compiled form."""
-    code = function.__code__
-    scope = dict(function.__globals__)
-    for name in code.co_names:
-        callee = scope.get(name)
-        if isinstance(callee, types.FunctionType) and callee is not function:
-            scope[name] = inlined(callee)
+    code, known = function.__code__, function.__globals__
+    plain = [name for name in code.co_names if isinstance(known.get(name), types.FunctionType)]
+    if not plain:
+        return function
+    scope = {**known, **{name: inlined(known[name]) for name in plain}}
     bound = types.FunctionType(
         code, scope, function.__name__, function.__defaults__, function.__closure__
     )
@@ -60,16 +59,32 @@ def _with_compiled_callees(function: Callable[..., Any]) -> Callable[..., Any]:
     return bound
 
 
-def inlined(function: Callable[..., Any]) -> Any:
-    """Return the compiled form of a plain function, to be inlined into the kernel.
+def _njit(function: Callable[..., Any], **options: Any) -> Any:
+    """Compile reproducibly (no fastmath: no sum is reordered) and without reference counting.
 
-    Reproducible: no fastmath, so the compiler may not reorder a sum.
+    Nothing here allocates; counting references of the arrays that are passed down would cost
+    more than the work.
     """
+    return numba.njit(
+        _with_compiled_callees(function), error_model="numpy", _nrt=False, **options
+    )
+
+
+def inlined(function: Callable[..., Any]) -> Any:
+    """Return the compiled form of a plain function, to be inlined where it is called."""
     if function not in _compiled:
-        _compiled[function] = numba.njit(
-            _with_compiled_callees(function), forceinline=True, error_model="numpy"
-        )
+        _compiled[function] = _njit(function, forceinline=True)
     return _compiled[function]
+
+
+def compiled(function: Callable[..., Any]) -> Any:
+    """Return the compiled form of a plain function that stays a function of its own."""
+    return _njit(function)
+
+
+def entry(function: Callable[..., Any]) -> Any:
+    """Return a kernel that Python calls: free of the interpreter lock, kept on disk."""
+    return _njit(function, nogil=True, cache=True)
 
 
 CONTROLLER_KERNEL = nbt.void(
@@ -92,9 +107,8 @@ def first_class(function: Callable[..., Any], signature: Any) -> Any:
     if function not in _first_class:
         # the cache on disk is bound to our own sources, so only they may use it
         is_ours = function.__module__.startswith("railgrip.")
-        _first_class[function] = numba.cfunc(signature, error_model="numpy", cache=is_ours)(
-            _with_compiled_callees(function)
-        )
+        make = numba.cfunc(signature, error_model="numpy", cache=is_ours, _nrt=False)
+        _first_class[function] = make(_with_compiled_callees(function))
     return _first_class[function]
 
 

@@ -2,6 +2,9 @@
 
 One run is a batch of one. Time is counted in ticks; nothing here depends on which lane a run has,
 on what ran before it, or on how many threads work, so a run gives the same bits in every company.
+
+A tick is a row of stages. Each is compiled by itself and called once for all lanes, since passing
+the plan to a function costs more than a lane's share of the work.
 """
 
 from __future__ import annotations
@@ -9,29 +12,27 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import numba
 
 from railgrip.control.rotation_monitoring import rotation_monitoring
 from railgrip.core.status import RunStatus
-from railgrip.engine import layout as at
-from railgrip.engine.compiler import inlined
+from railgrip.engine.offsets import width
+from railgrip.engine import layout as at, offsets as to
+from railgrip.engine.compiler import compiled, entry, inlined
 from railgrip.engine.rail import enter_cells, heat_rail, lay_sand, line_forces
 from railgrip.engine.records import finish_run, record
-from railgrip.engine.sensing import driver_demand, gather, obey
+from railgrip.engine.sensing import driver_demand, gather, obey, sense_pass, valve_pass
 from railgrip.engine.start import begin_run
 from railgrip.engine.step import plant_step
-from railgrip.engine.tick import account, advance_plant, prepare_tick, sense_all
+from railgrip.engine.tick import advance
 
-_lanes = numba.njit(forceinline=True, error_model="numpy")
-_scalar = numba.njit(error_model="numpy")
-_kernel = numba.njit(error_model="numpy", nogil=True, cache=True)
 
 _rotation_monitoring = inlined(rotation_monitoring)
 
-NORMAL_CUBIC_METRE = 1.0e5
+NORMAL_PRESSURE = 1.0e5
 """Air is counted at 1 bar, Pa."""
 NEARLY_STANDING = 0.05
 """Below this speed a stop within the coming tick is looked for, m/s."""
+WRAP = at.MAX_DELAY - 1
 
 RUNNING = int(RunStatus.RUNNING)
 STOPPED = int(RunStatus.STOPPED)
@@ -41,266 +42,355 @@ DIVERGED = int(RunStatus.DIVERGED)
 CONTROLLER_FAILED = int(RunStatus.CONTROLLER_FAILED)
 
 
-@_kernel
-def step_lanes(S: Any, n_axles: int, brakes: Any, law: int, custom: Any, h: float, when: float) -> None:
-    """One plant step of sixteen lanes: the loop that must be packed arithmetic."""
-    plant_step(at.LANES, S, n_axles, brakes, law, custom, h, when)
+@entry
+def step_lanes(S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> None:
+    """One plant step of sixteen lanes: the loops that must be packed arithmetic."""
+    plant_step(to.SIXTEEN_LANES, S, n_axles, creep_law, custom, h)
 
 
-@_kernel
-def step_single(S: Any, n_axles: int, brakes: Any, law: int, custom: Any, h: float, when: float) -> None:
+@entry
+def step_single(S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> None:
     """One plant step of a single run: the same operations in the same order."""
-    plant_step(1, S, n_axles, brakes, law, custom, h, when)
+    plant_step(to.ONE_LANE, S, n_axles, creep_law, custom, h)
 
 
-@_scalar
-def _drive(L: int, S: Any, plan: Any, k: int) -> None:
-    """Let the driver act on lane k."""
+@inlined
+def _advance(lanes: Any, S: Any, plan: Any, custom: Any, step: Any) -> None:
+    timing, formation = plan.timing, plan.formation
+    advance(
+        lanes, S, plan.n_axles, formation.brakes, timing.demand_tick, timing.demand_level,
+        plan.way.origin, 1.0 / plan.way.cell_length, timing.tick, plan.creep_law, custom, step,
+    )  # fmt: skip
+
+
+@entry
+def advance_lanes(S: Any, plan: Any, custom: Any) -> None:
+    """One tick of sixteen lanes."""
+    _advance(to.SIXTEEN_LANES, S, plan, custom, step_lanes)
+
+
+@entry
+def advance_single(S: Any, plan: Any, custom: Any) -> None:
+    """One tick of a single run."""
+    _advance(to.ONE_LANE, S, plan, custom, step_single)
+
+
+@inlined
+def _sense(lanes: Any, S: Any, plan: Any, moment: int) -> None:
+    L = width(lanes)
     timing = plan.timing
-    tick = int(S[at.TICK * L + k])
-    demand, emergency = driver_demand(timing, tick)
-    S[at.DRIVER_DEMAND * L + k] = demand
-    S[at.TRACK_BRAKE_ON * L + k] = emergency
-    S[at.DYNAMIC_ALLOWED * L + k] = 1.0 if plan.formation.dynamic_in_emergency == 1 else 1.0 - emergency
-    if S[at.BRAKE_TIME * L + k] < 0.0 and tick >= timing.first_brake_tick:
-        S[at.BRAKE_TIME * L + k] = tick * timing.tick
-        S[at.BRAKE_POSITION * L + k] = S[at.POSITION * L + k]
-        S[at.BRAKE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
-        S[at.FIRST_DEMAND * L + k] = demand
+    slot = to.SPEED_HISTORY + to.as_offset(moment & WRAP)
+    for axle in range(plan.n_axles):
+        b = (axle + to.AXLE_BLOCK) * to.N_VARS * L
+        for k in range(L):
+            S[b + to.HERE_TICK * L + k] = S[to.TICK * L + k]
+        sense_pass(lanes, S, b, timing.tick, timing.sensor_teeth, timing.sensor_timer, slot)
 
 
-@_scalar
-def _look_for_stop(L: int, S: Any, plan: Any, k: int) -> None:
+@inlined
+def _move_valves(lanes: Any, S: Any, plan: Any, moment: int) -> None:
+    L = width(lanes)
+    vent = to.VALVE_HISTORY + to.as_offset((moment - plan.timing.vent_delay) & WRAP)
+    fill = to.VALVE_HISTORY + to.as_offset((moment - plan.timing.fill_delay) & WRAP)
+    for axle in range(plan.n_axles):
+        valve_pass(lanes, S, (axle + to.AXLE_BLOCK) * to.N_VARS * L, vent, fill)
+
+
+@entry
+def sense_lanes(S: Any, plan: Any, moment: int) -> None:
+    """Every speed sensor of sixteen lanes."""
+    _sense(to.SIXTEEN_LANES, S, plan, moment)
+
+
+@entry
+def sense_single(S: Any, plan: Any, moment: int) -> None:
+    """Every speed sensor of a single run."""
+    _sense(to.ONE_LANE, S, plan, moment)
+
+
+@entry
+def move_valves_lanes(S: Any, plan: Any, moment: int) -> None:
+    """Every dump valve of sixteen lanes."""
+    _move_valves(to.SIXTEEN_LANES, S, plan, moment)
+
+
+@entry
+def move_valves_single(S: Any, plan: Any, moment: int) -> None:
+    """Every dump valve of a single run."""
+    _move_valves(to.ONE_LANE, S, plan, moment)
+
+
+@entry
+def drive(L: int, S: Any, memory: Any, plan: Any) -> None:
+    """Let the driver act, and find line and rail in the middle of the coming tick."""
+    timing, way, formation = plan.timing, plan.way, plan.formation
+    energy, factor, sand = memory.ring_energy, memory.ring_factor, memory.ring_sand
+    n_axles = formation.vehicle_of_axle.shape[0]
+    times, levels, emergencies = timing.demand_tick, timing.demand_level, timing.demand_emergency
+    for k in range(L):
+        if S[at.RUN * L + k] < 0.0:
+            continue
+        tick = int(S[at.TICK * L + k])
+        demand, emergency = driver_demand(tick, times, levels, emergencies)
+        S[at.DRIVER_DEMAND * L + k] = demand
+        S[at.EMERGENCY * L + k] = emergency
+        S[at.TRACK_BRAKE_ON * L + k] = emergency
+        allowed = formation.dynamic_in_emergency == 1 or emergency == 0.0
+        S[at.DYNAMIC_ALLOWED * L + k] = 1.0 if allowed else 0.0
+        if S[at.BRAKE_TIME * L + k] < 0.0 and tick >= timing.first_brake_tick:
+            S[at.BRAKE_TIME * L + k] = tick * timing.tick
+            S[at.BRAKE_POSITION * L + k] = S[at.POSITION * L + k]
+            S[at.BRAKE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
+            S[at.FIRST_DEMAND * L + k] = demand
+        enter_cells(L, S, energy, factor, sand, way, n_axles, 0.5 * timing.tick, k)
+        if way.is_level == 0:
+            line_forces(L, S, way, formation, 0.5 * timing.tick, k)
+
+
+@entry
+def control(
+    L: int, S: Any, memory: Any, plan: Any, moment: int, controller: Any, initial: Any
+) -> None:
+    """Let the compiled controllers whose turn it is measure and command."""
+    timing = plan.timing
+    parameters, setup = plan.controller_parameters, plan.formation.axle_setup
+    monitor = plan.monitor_parameters
+    n_axles = setup.shape[0]
+    period = timing.tick * timing.control_every
+    slot = at.SPEED_HISTORY + ((moment - timing.sensor_delay) & WRAP)
+    for k in range(L):
+        if S[at.RUN * L + k] < 0.0:
+            continue
+        tick = int(S[at.TICK * L + k])
+        command = memory.command[k]
+        if tick % timing.control_every == 0:
+            measured, state = memory.measured[k], memory.controller_state[k]
+            demand, emergency = S[at.DRIVER_DEMAND * L + k], S[at.EMERGENCY * L + k]
+            gather(L, S, measured, demand, emergency, n_axles, k, slot)
+            if tick == 0:
+                initial(parameters, setup, state, measured)
+            controller(parameters, setup, state, measured, command, period)
+            alarm = memory.alarm[k]
+            _rotation_monitoring(monitor, memory.monitor_state[k], measured, alarm, period)
+            for axle in range(n_axles):
+                S[((1 + axle) * at.N_VARS + at.ALARM) * L + k] = alarm[axle]
+        obey(L, S, command, n_axles, k, at.VALVE_HISTORY + (moment & WRAP))
+
+
+@entry
+def leave_behind(L: int, S: Any, memory: Any, plan: Any) -> None:
+    """Heat and sand the rail, and take the air from the reservoirs."""
+    timing, way, formation = plan.timing, plan.way, plan.formation
+    energy, sand, reservoirs = memory.ring_energy, memory.ring_sand, memory.reservoirs
+    n_axles = formation.vehicle_of_axle.shape[0]
+    for k in range(L):
+        if S[at.RUN * L + k] < 0.0:
+            continue
+        heat_rail(L, S, energy, sand, n_axles, way.origin, way.cell_length, k)
+        if formation.has_sander == 1:
+            lay_sand(
+                L, S, sand, n_axles, way.cell_length, timing.tick, timing.sand_delay,
+                timing.sand_cut_out, k,
+            )  # fmt: skip
+        _take_air(L, S, reservoirs, formation, n_axles, timing.tick, k)
+
+
+@compiled
+def _take_air(
+    L: int, S: Any, reservoirs: Any, formation: Any, n_axles: int, tick: float, k: int
+) -> None:
+    vehicles, volumes = formation.vehicle_of_axle, formation.reservoir_volume
+    recharge, full = formation.reservoir_recharge, formation.reservoir_pressure
+    for vehicle in range(volumes.shape[0]):
+        gain = recharge[vehicle] * tick * NORMAL_PRESSURE / volumes[vehicle]
+        slot = vehicle * L + k
+        reservoirs[slot] = min(reservoirs[slot] + gain, full[vehicle])
+    for axle in range(n_axles):
+        b = (1 + axle) * at.N_VARS * L + k
+        rise = S[b + at.CYLINDER_PRESSURE * L] - S[b + at.PRESSURE_BEFORE * L]
+        slot = vehicles[axle] * L + k
+        if rise > 0.0:
+            volume = rise * S[b + at.CYLINDER_VOLUME * L]
+            S[b + at.AIR_USED * L] += volume / NORMAL_PRESSURE
+            reservoirs[slot] -= volume / volumes[vehicles[axle]]
+        S[b + at.RESERVOIR_PRESSURE * L] = reservoirs[slot]
+
+
+@compiled
+def _look_for_stop(L: int, S: Any, tick: float, k: int) -> None:
     """Locate the stand within the coming tick: with constant deceleration, exactly."""
     if S[at.STOP_TIME * L + k] >= 0.0:
         return
     speed = S[at.TRAIN_SPEED * L + k]
     deceleration = S[at.LAST_DECELERATION * L + k]
-    now = S[at.TICK * L + k] * plan.timing.tick
+    now = S[at.TICK * L + k] * tick
     if speed <= 0.0:
         S[at.STOP_TIME * L + k] = now
         S[at.STOP_POSITION * L + k] = S[at.POSITION * L + k]
-    elif speed < NEARLY_STANDING and speed <= deceleration * plan.timing.tick:
+    elif speed < NEARLY_STANDING and speed <= deceleration * tick:
         S[at.STOP_TIME * L + k] = now + speed / deceleration
-        S[at.STOP_POSITION * L + k] = (
-            S[at.POSITION * L + k] + speed * speed / (2.0 * deceleration)
-        )
+        way = speed * speed / (2.0 * deceleration)
+        S[at.STOP_POSITION * L + k] = S[at.POSITION * L + k] + way
 
 
-@_scalar
-def _status(L: int, S: Any, plan: Any, n_axles: int, k: int) -> int:
+@compiled
+def _status(L: int, S: Any, limit: int, after_stop: int, end: float, k: int) -> int:
     """Return whether lane k goes on, or how it ends."""
     speed = S[at.TRAIN_SPEED * L + k]
     if not math.isfinite(speed) or not math.isfinite(S[at.POSITION * L + k]):
         return DIVERGED
-    if S[at.STOP_TIME * L + k] >= 0.0:
-        S[at.STAND_TICKS * L + k] += 1.0
-        if S[at.STAND_TICKS * L + k] > plan.timing.after_stop:
-            return STOPPED
-    elif S[at.POSITION * L + k] >= plan.way.end:
-        return END_OF_TRACK
     if S[at.CONTROLLER_ERROR * L + k] > 0.0:
         return CONTROLLER_FAILED
-    if S[at.TICK * L + k] >= plan.timing.limit:
+    if S[at.STOP_TIME * L + k] >= 0.0:
+        S[at.STAND_TICKS * L + k] += 1.0
+        if S[at.STAND_TICKS * L + k] > after_stop:
+            return STOPPED
+    elif S[at.POSITION * L + k] >= end:
+        return END_OF_TRACK
+    if S[at.TICK * L + k] >= limit:
         return TIME_LIMIT
     return RUNNING
 
 
-@_scalar
-def _leave_behind(
-    L: int, S: Any, memory: Any, plan: Any, n_axles: int, k: int, start: float
-) -> None:
-    """Heat and sand the rail, take the air from the reservoirs."""
-    timing = plan.timing
-    formation = plan.formation
-    for vehicle in range(formation.vehicle_front.shape[0]):
-        memory.reservoirs[vehicle * L + k] += (
-            formation.reservoir_recharge[vehicle] * timing.tick
-            * NORMAL_CUBIC_METRE / formation.reservoir_volume[vehicle]
-        )  # fmt: skip
-        memory.reservoirs[vehicle * L + k] = min(
-            memory.reservoirs[vehicle * L + k], formation.reservoir_pressure[vehicle]
-        )
-    for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L
-        heat_rail(L, S, memory, plan.way, b, k, start, S[b + at.SLID_NOW * L + k])
-        rise = S[b + at.CYLINDER_PRESSURE * L + k] - S[b + at.PRESSURE_BEFORE * L + k]
-        vehicle = formation.vehicle_of_axle[axle] * L + k
-        if rise > 0.0:
-            volume = rise * S[b + at.CYLINDER_VOLUME * L + k]
-            S[b + at.AIR_USED * L + k] += volume / NORMAL_CUBIC_METRE
-            memory.reservoirs[vehicle] -= volume / formation.reservoir_volume[
-                formation.vehicle_of_axle[axle]
-            ]
-        S[b + at.RESERVOIR_PRESSURE * L + k] = memory.reservoirs[vehicle]
-        if (
-            S[b + at.SANDER_FLOW * L + k] > 0.0
-            and S[b + at.SAND_TIME * L + k] * timing.tick > timing.sand_delay
-            and S[at.TRAIN_SPEED * L + k] > timing.sand_cut_out
-        ):
-            lay_sand(L, S, memory, plan.way, b, k, timing.tick)
-
-
-@_scalar
-def _monitor(L: int, S: Any, memory: Any, plan: Any, n_axles: int, k: int) -> None:
-    """Let wheel rotation monitoring look at the same speeds, apart from the protection."""
-    _rotation_monitoring(
-        plan.monitor_parameters, memory.monitor_state[k], memory.measured[k], memory.alarm[k],
-        plan.timing.tick * plan.timing.control_every,
-    )  # fmt: skip
-    for axle in range(n_axles):
-        S[((1 + axle) * at.N_VARS + at.ALARM) * L + k] = memory.alarm[k, axle]
-
-
-@_lanes
-def begin_tick(L: int, S: Any, memory: Any, plan: Any, n_axles: int, moment: int) -> None:
-    """Everything before the controllers: driver, line, rail, sensors."""
-    for k in range(L):
-        if S[at.RUN * L + k] >= 0.0:
-            _drive(L, S, plan, k)
-            enter_cells(L, S, memory, plan.way, n_axles, k, plan.timing.tick)
-            if plan.way.is_level == 0:
-                line_forces(L, S, plan, k, plan.timing.tick)
-    sense_all(L, S, plan, n_axles, moment)
-
-
-@_lanes
-def end_tick(
-    L: int, S: Any, memory: Any, plan: Any, n_axles: int, moment: int, custom: Any, step: Any
-) -> None:
-    """Everything after the controllers: valves, plant, and what the train leaves behind."""
-    prepare_tick(L, S, plan, n_axles, moment)
-    advance_plant(L, S, plan, n_axles, custom, step)
-    account(L, S, plan, n_axles)
-    for k in range(L):
-        if S[at.RUN * L + k] >= 0.0:
-            before = 0.5 * (S[at.SPEED_BEFORE_TICK * L + k] + S[at.TRAIN_SPEED * L + k])
-            start = S[at.POSITION * L + k] - before * plan.timing.tick
-            _leave_behind(L, S, memory, plan, n_axles, k, start)
-
-
-@_scalar
-def _look_after(
-    L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: int
-) -> int:
+@entry
+def look_after(L: int, S: Any, memory: Any, plan: Any, out: Any, k: int) -> int:
     """Record lane k and return whether its run goes on, or how it ends."""
-    record(L, S, memory, plan, out, n_axles, k)
-    _look_for_stop(L, S, plan, k)
-    status = _status(L, S, plan, n_axles, k)
+    timing = plan.timing
+    n_axles = plan.formation.vehicle_of_axle.shape[0]
+    if int(S[at.RUN * L + k]) < out.trace_train.shape[0]:
+        record(L, S, memory, plan, out, n_axles, k)
+    _look_for_stop(L, S, timing.tick, k)
+    status = _status(L, S, timing.limit, timing.after_stop, plan.way.end, k)
     if status != RUNNING:
         finish_run(L, S, plan, out, n_axles, k, status)
     return status
 
 
-@_scalar
-def control_lane(
-    L: int, S: Any, memory: Any, plan: Any, n_axles: int, k: int, moment: int,
-    controller: Any, initial: Any,
-) -> None:  # fmt: skip
-    """Let the compiled controller of lane k measure and command, when it is its turn."""
-    if int(S[at.TICK * L + k]) % plan.timing.control_every == 0:
-        gather(L, S, memory.measured[k], plan, n_axles, k, moment)
-        if S[at.TICK * L + k] == 0.0:
-            initial(
-                plan.controller_parameters, plan.formation.axle_setup,
-                memory.controller_state[k], memory.measured[k],
-            )  # fmt: skip
-        controller(
-            plan.controller_parameters, plan.formation.axle_setup, memory.controller_state[k],
-            memory.measured[k], memory.command[k], plan.timing.tick * plan.timing.control_every,
-        )  # fmt: skip
-        _monitor(L, S, memory, plan, n_axles, k)
-    obey(L, S, memory.command[k], n_axles, k, moment)
+@inlined
+def _needs_attention(L: int, S: Any, limit: int, end: float, k: int) -> bool:
+    """Return whether anything but going on is possible: cheap, for the many ticks in between."""
+    speed = S[at.TRAIN_SPEED * L + k]
+    goes_on = (
+        speed > NEARLY_STANDING
+        and S[at.POSITION * L + k] < end
+        and S[at.TICK * L + k] < limit
+        and S[at.CONTROLLER_ERROR * L + k] == 0.0
+    )
+    return not goes_on
 
 
-@_lanes
-def _run(
-    L: int, memory: Any, plan: Any, overrides: Any, out: Any, first: int, last: int,
-    controller: Any, initial: Any, custom: Any, step: Any, progress: Any,
-) -> None:  # fmt: skip
+@inlined
+def _begin(L: int, memory: Any, plan: Any, overrides: Any, first: int, last: int) -> int:
+    """Fill the lanes with runs; return the next one that waits."""
     S = memory.lanes
-    n_axles = plan.parameters.shape[0] - 1
-    upcoming = first
-    active = 0
     for k in range(L):
         # an idle lane computes along on somebody's numbers; nobody reads them
-        begin_run(L, S, memory, plan, overrides, n_axles, k, min(upcoming, last - 1))
+        begin_run(L, S, memory, plan, overrides, k, min(first + k, last - 1))
+        if first + k >= last:
+            S[at.RUN * L + k] = -1.0
+    return min(first + L, last)
+
+
+@inlined
+def _turn_over(
+    L: int, memory: Any, plan: Any, overrides: Any, out: Any, upcoming: int, last: int
+) -> int:
+    """Write down the runs that have ended and begin the next; return the next that waits."""
+    S = memory.lanes
+    is_traced = out.trace_train.shape[0] > 0
+    limit, end = plan.timing.limit, plan.way.end
+    for k in range(L):
+        if S[at.RUN * L + k] < 0.0 or not (is_traced or _needs_attention(L, S, limit, end, k)):
+            continue
+        if look_after(L, S, memory, plan, out, k) == RUNNING:
+            continue
         if upcoming < last:
+            begin_run(L, S, memory, plan, overrides, k, upcoming)
             upcoming += 1
-            active += 1
+            look_after(L, S, memory, plan, out, k)
         else:
             S[at.RUN * L + k] = -1.0
+    return upcoming
+
+
+@inlined
+def _are_running(L: int, S: Any) -> bool:
+    running = False
+    for k in range(L):
+        running = running or S[at.RUN * L + k] >= 0.0
+    return running
+
+
+@entry
+def run_lanes(
+    memory: Any, plan: Any, overrides: Any, out: Any, first: int, last: int,
+    controller: Any, initial: Any, custom: Any,
+) -> None:  # fmt: skip
+    """Compute the runs first … last − 1, sixteen at a time."""
+    S = memory.lanes
+    upcoming = _begin(at.LANES, memory, plan, overrides, first, last)
     moment = 0
-    while active > 0:
-        for k in range(L):
-            if S[at.RUN * L + k] < 0.0:
-                continue
-            if _look_after(L, S, memory, plan, out, n_axles, k) == RUNNING:
-                continue
-            progress[0] += 1
-            if upcoming < last:
-                begin_run(L, S, memory, plan, overrides, n_axles, k, upcoming)
-                _look_after(L, S, memory, plan, out, n_axles, k)
-                upcoming += 1
-            else:
-                S[at.RUN * L + k] = -1.0
-                active -= 1
-        begin_tick(L, S, memory, plan, n_axles, moment)
-        for k in range(L):
-            if S[at.RUN * L + k] >= 0.0:
-                control_lane(L, S, memory, plan, n_axles, k, moment, controller, initial)
-        end_tick(L, S, memory, plan, n_axles, moment, custom, step)
+    while True:
+        upcoming = _turn_over(at.LANES, memory, plan, overrides, out, upcoming, last)
+        if not _are_running(at.LANES, S):
+            return
+        drive(at.LANES, S, memory, plan)
+        sense_lanes(S, plan, moment)
+        control(at.LANES, S, memory, plan, moment, controller, initial)
+        move_valves_lanes(S, plan, moment)
+        advance_lanes(S, plan, custom)
+        leave_behind(at.LANES, S, memory, plan)
         moment += 1
 
 
-@_kernel
-def run_lanes(
-    memory: Any, plan: Any, overrides: Any, out: Any, first: int, last: int,
-    controller: Any, initial: Any, custom: Any, progress: Any,
-) -> None:  # fmt: skip
-    """Compute the runs first … last − 1, sixteen at a time."""
-    _run(
-        at.LANES, memory, plan, overrides, out, first, last, controller, initial, custom,
-        step_lanes, progress,
-    )  # fmt: skip
-
-
-@_kernel
+@entry
 def run_single(
     memory: Any, plan: Any, overrides: Any, out: Any, first: int, last: int,
-    controller: Any, initial: Any, custom: Any, progress: Any,
+    controller: Any, initial: Any, custom: Any,
 ) -> None:  # fmt: skip
     """Compute the runs first … last − 1, one after the other."""
-    _run(
-        1, memory, plan, overrides, out, first, last, controller, initial, custom, step_single,
-        progress,
-    )
+    S = memory.lanes
+    upcoming = _begin(1, memory, plan, overrides, first, last)
+    moment = 0
+    while True:
+        upcoming = _turn_over(1, memory, plan, overrides, out, upcoming, last)
+        if not _are_running(1, S):
+            return
+        drive(1, S, memory, plan)
+        sense_single(S, plan, moment)
+        control(1, S, memory, plan, moment, controller, initial)
+        move_valves_single(S, plan, moment)
+        advance_single(S, plan, custom)
+        leave_behind(1, S, memory, plan)
+        moment += 1
 
 
-@_kernel
+@entry
 def begin_single(memory: Any, plan: Any, overrides: Any, run: int) -> None:
     """Put a run at its start, for a controller that is stepped from Python."""
-    begin_run(1, memory.lanes, memory, plan, overrides, plan.parameters.shape[0] - 1, 0, run)
+    begin_run(1, memory.lanes, memory, plan, overrides, 0, run)
 
 
-@_kernel
-def before_control_single(memory: Any, plan: Any, out: Any, moment: int) -> int:
-    """Begin a tick up to what the controller sees; return the status, RUNNING if it goes on."""
+@entry
+def before_control_single(
+    memory: Any, plan: Any, out: Any, moment: int, controller: Any, initial: Any
+) -> int:
+    """Begin a tick; what the controller sees is in memory.measured; return the status."""
     S = memory.lanes
-    n_axles = plan.parameters.shape[0] - 1
-    status = _look_after(1, S, memory, plan, out, n_axles, 0)
+    status = look_after(1, S, memory, plan, out, 0)
     if status == RUNNING:
-        begin_tick(1, S, memory, plan, n_axles, moment)
-        if int(S[at.TICK]) % plan.timing.control_every == 0:
-            gather(1, S, memory.measured[0], plan, n_axles, 0, moment)
-            _monitor(1, S, memory, plan, n_axles, 0)
+        drive(1, S, memory, plan)
+        sense_single(S, plan, moment)
+        control(1, S, memory, plan, moment, controller, initial)
     return int(status)
 
 
-@_kernel
+@entry
 def after_control_single(memory: Any, plan: Any, moment: int, custom: Any) -> None:
-    """Obey the command and finish the tick."""
+    """Obey the command that Python has put into memory.command, and finish the tick."""
     S = memory.lanes
-    n_axles = plan.parameters.shape[0] - 1
-    obey(1, S, memory.command[0], n_axles, 0, moment)
-    end_tick(1, S, memory, plan, n_axles, moment, custom, step_single)
+    n_axles = plan.formation.vehicle_of_axle.shape[0]
+    obey(1, S, memory.command[0], n_axles, 0, at.VALVE_HISTORY + (moment & WRAP))
+    move_valves_single(S, plan, moment)
+    advance_single(S, plan, custom)
+    leave_behind(1, S, memory, plan)

@@ -52,6 +52,7 @@ def lower(scenario: Scenario, control_period: float, parameters: FloatArray) -> 
         way=_way(scenario),
         timing=_timing(scenario, control_period),
         formation=_formation(scenario, brakes),
+        n_axles=np.uint64(scenario.train.n_axles),
         creep_law=LAWS.get(scenario.run.creep_law, at.LAW_CUSTOM),
         parameters=table,
         controller_parameters=parameters,
@@ -133,6 +134,7 @@ def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
         reservoir_recharge=np.full(n_vehicles, air.recharge if air else 0.0),
         brakes=brakes,
         dynamic_in_emergency=int(in_emergency),
+        has_sander=int(train.sander is not None),
         axle_setup=setup,
     )
 

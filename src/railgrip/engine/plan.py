@@ -88,6 +88,7 @@ class Formation(NamedTuple):
     reservoir_recharge: FloatArray
     brakes: FloatArray
     dynamic_in_emergency: int
+    has_sander: int
     axle_setup: FloatArray
 
 
@@ -97,6 +98,7 @@ class Plan(NamedTuple):
     way: Way
     timing: Timing
     formation: Formation
+    n_axles: np.uint64
     creep_law: int
     parameters: FloatArray
     """(1 + axles, N_PARAMETERS): row 0 the train, then each axle."""

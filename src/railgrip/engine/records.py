@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-import numba
 
 from railgrip.control import contract as ctl
 from railgrip.core.status import RunStatus
+from railgrip.engine.compiler import compiled
 from railgrip.engine import layout as at
 
 STOPPED = int(RunStatus.STOPPED)
 
-_scalar = numba.njit(error_model="numpy")
 
 TRAIN_OUTCOMES = (
     "status", "initial_speed", "stopping_distance", "stopping_time", "build_up_time",
@@ -41,7 +40,7 @@ AXLE_TRACES = (
 """Columns of Outcome.trace_axle."""
 
 
-@_scalar
+@compiled
 def kinetic_energy(L: int, S: Any, n_axles: int, k: int) -> float:
     """Return the kinetic energy of train and wheels."""
     energy = 0.5 * S[at.TRAIN_MASS * L + k] * S[at.TRAIN_SPEED * L + k] ** 2
@@ -51,7 +50,7 @@ def kinetic_energy(L: int, S: Any, n_axles: int, k: int) -> float:
     return float(energy)
 
 
-@_scalar
+@compiled
 def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: int) -> None:
     """Write the present state into the run's traces."""
     run = int(S[at.RUN * L + k])
@@ -75,7 +74,7 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
         out.trace_vehicle[run, row, vehicle] = memory.reservoirs[vehicle * L + k]
 
 
-@_scalar
+@compiled
 def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k: int) -> None:
     b = (1 + axle) * at.N_VARS * L + k
     row[0] = S[b + at.WHEEL_SPEED * L]
@@ -86,7 +85,7 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
         + S[b + at.LOAD_TRANSFER * L] * S[at.PITCH_DECELERATION * L + k]
     )
     for i in range(at.N_FRICTION):
-        row[4 + i] = S[b + (at.RAIL_END_FRICTION + i) * L]
+        row[4 + i] = S[b + (at.FOUND_FRICTION + i) * L]
     row[9] = S[b + at.CLEANING * L]
     row[10] = S[b + at.CYLINDER_PRESSURE * L]
     row[11] = S[b + at.SUPPLY_PRESSURE * L]
@@ -102,7 +101,7 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
     row[20] = S[b + at.ALARM * L]
 
 
-@_scalar
+@compiled
 def finish_run(
     L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status: int
 ) -> None:

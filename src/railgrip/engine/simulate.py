@@ -174,7 +174,7 @@ def simulate(
     controller : controller, optional
         Used in place of the one that the scenario names.
     progress : callable, optional
-        Called with the number of runs that have ended.
+        Called with the number of runs that have just ended.
 
     Returns
     -------
@@ -225,16 +225,14 @@ def _run_compiled(
     run_kernel, lanes = (
         (kernel.run_single, 1) if runs < 4 else (kernel.run_lanes, at.LANES)
     )
-    done = np.zeros(1, dtype=np.int64)
-
     def work(bounds: tuple[int, int]) -> Memory:
         own = memory(prepared, lanes, traced and lanes == 1)
         run_kernel(
             own, prepared.plan, changes, out, bounds[0], bounds[1], prepared.compiled.kernel,
-            prepared.compiled.initial, prepared.creep_law, done,
+            prepared.compiled.initial, prepared.creep_law,
         )  # fmt: skip
         if progress is not None:
-            progress(int(done[0]))
+            progress(bounds[1] - bounds[0])
         return own
 
     if threads == 1:
@@ -258,11 +256,12 @@ def _run_plain(
         kernel.begin_single(own, plan, changes, run)
         state = prepared.controller.reset(setup)
         moment = 0
-        while kernel.before_control_single(own, plan, out, moment) == RunStatus.RUNNING:
+        seen = (prepared.compiled.kernel, prepared.compiled.initial)
+        while kernel.before_control_single(own, plan, out, moment, *seen) == RunStatus.RUNNING:
             if moment % every == 0:
                 own.command[0] = plain_step(prepared.controller, state, own.measured[0], period)
             kernel.after_control_single(own, plan, moment, prepared.creep_law)
             moment += 1
         if progress is not None:
-            progress(run + 1)
+            progress(1)
     return own if traced and len(out.train) == 1 else None

@@ -5,21 +5,21 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import numba
 
 from railgrip.control import contract as ctl
+from railgrip.engine.compiler import compiled
 from railgrip.engine import layout as at
-from railgrip.engine.rail import enter_cells, field_before, lay_rail, line_forces
+from railgrip.engine.rail import enter_cells, field_before, lay_rail
 from railgrip.engine.records import kinetic_energy
 
-_scalar = numba.njit(error_model="numpy")
 
 
-@_scalar
+@compiled
 def begin_run(
-    L: int, S: Any, memory: Any, plan: Any, overrides: Any, n_axles: int, k: int, run: int
+    L: int, S: Any, memory: Any, plan: Any, overrides: Any, k: int, run: int
 ) -> None:
     """Put lane k at the start of a run."""
+    n_axles = plan.formation.vehicle_of_axle.shape[0]
     for i in range((1 + n_axles) * at.N_VARS):
         S[i * L + k] = 0.0
     for block in range(1 + n_axles):
@@ -36,7 +36,6 @@ def begin_run(
     S[at.TRAIN_SPEED * L + k] = S[at.INITIAL_SPEED * L + k]
     S[at.POSITION * L + k] = S[at.START_POSITION * L + k]
     _begin_rail(L, S, memory, plan.way, n_axles, k)
-    line_forces(L, S, plan, k, 0.0)
     for axle in range(n_axles):
         _begin_axle(L, S, plan, k, axle)
     S[at.KINETIC_START * L + k] = kinetic_energy(L, S, n_axles, k)
@@ -45,42 +44,35 @@ def begin_run(
     _begin_control(L, S, memory, n_axles, k)
 
 
-@_scalar
+@compiled
 def _begin_rail(L: int, S: Any, memory: Any, way: Any, n_axles: int, k: int) -> None:
+    energy, factor, sand = memory.ring_energy, memory.ring_factor, memory.ring_sand
     front = S[at.POSITION * L + k]
     rear = front - S[at.TRAIN_LENGTH * L + k]
     first = int(math.floor((rear - way.origin) / way.cell_length)) - 3
     S[at.RAIL_FRONT * L + k] = float(first - 1)
     S[at.FIELD * L + k] = field_before(way, int(S[at.RUN * L + k]), first)
     ahead = int(math.floor((front - way.origin) / way.cell_length)) + 3
-    lay_rail(L, S, memory, way, k, ahead)
+    lay_rail(L, S, energy, factor, sand, way, k, ahead)
     for axle in range(n_axles):
         b = (1 + axle) * at.N_VARS * L
         place = (front - S[b + at.OFFSET * L + k] - way.origin) / way.cell_length - 0.5
         # two cells back: entering then reads both cells that the wheel stands between
         S[b + at.CELL * L + k] = math.floor(place) - 2.0
-    speed = S[at.TRAIN_SPEED * L + k]
-    S[at.TRAIN_SPEED * L + k] = 0.0
-    enter_cells(L, S, memory, way, n_axles, k, 0.0)
-    S[at.TRAIN_SPEED * L + k] = speed
-    for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L
-        place = (front - S[b + at.OFFSET * L + k] - way.origin) / way.cell_length - 0.5
-        share = place - S[b + at.CELL * L + k]
-        for i in range(at.N_FRICTION):
-            behind = S[b + (at.BEHIND_FRICTION + i) * L + k]
-            ahead_value = S[b + (at.AHEAD_FRICTION + i) * L + k]
-            S[b + (at.RAIL_END_FRICTION + i) * L + k] = behind + share * (ahead_value - behind)
+    enter_cells(L, S, energy, factor, sand, way, n_axles, 0.0, k)
 
 
-@_scalar
+@compiled
 def _begin_axle(L: int, S: Any, plan: Any, k: int, axle: int) -> None:
     b = (1 + axle) * at.N_VARS * L + k
     speed = S[at.TRAIN_SPEED * L + k]
     believed = speed * S[b + at.BELIEVED_RATIO * L]
     S[b + at.WHEEL_SPEED * L] = speed
+    S[b + at.SPEED_BEFORE * L] = speed
     S[b + at.RING_TEMPERATURE * L] = S[b + at.AMBIENT * L]
     S[b + at.HUB_TEMPERATURE * L] = S[b + at.AMBIENT * L]
+    S[b + at.RING_MIDDLE * L] = S[b + at.AMBIENT * L]
+    S[b + at.HUB_MIDDLE * L] = S[b + at.AMBIENT * L]
     S[b + at.GREATEST_TEMPERATURE * L] = S[b + at.AMBIENT * L]
     S[b + at.MEASURED_SPEED * L] = believed
     S[b + at.IS_FILL * L] = 1.0
@@ -93,12 +85,14 @@ def _begin_axle(L: int, S: Any, plan: Any, k: int, axle: int) -> None:
         S[b + (at.VALVE_HISTORY + i) * L] = ctl.FILL
 
 
-@_scalar
+@compiled
 def _begin_control(L: int, S: Any, memory: Any, n_axles: int, k: int) -> None:
     for i in range(memory.controller_state.shape[1]):
         memory.controller_state[k, i] = 0.0
     for i in range(memory.monitor_state.shape[1]):
         memory.monitor_state[k, i] = 0.0
+    for axle in range(n_axles):
+        memory.alarm[k, axle] = 0.0
     for axle in range(n_axles):
         for i in range(ctl.N_COMMAND):
             memory.command[k, axle, i] = 0.0

@@ -1,27 +1,34 @@
-"""One tick of all lanes: save, a whole step, two half steps, extrapolate, account.
+"""One tick of all lanes: brake and rail, a whole step, two half steps, extrapolate, account.
 
 Richardson's extrapolation of the linearly implicit Euler step (2 × two halves − one whole) is of
 second order at the tick. It is linear in the states, so momentum and energy stay exact:
 with the mean speeds of the tick, force impulse × speed is exactly the work that each term took.
+What changes slowly (brake, rail, line) enters as it is in the middle of the tick.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-import numba
 
-from railgrip.engine import layout as at
-from railgrip.engine.rail import interpolate_rail
-from railgrip.engine.sensing import demand_brake, move_valves, sense
-from railgrip.engine.step import plant_step
+from railgrip.brake.track_brake import TrackBrake, track_brake_force
+from railgrip.core.formulas.elementary import power_0_8
+from railgrip.engine.offsets import width
+from railgrip.engine import offsets as at
+from railgrip.engine.brake_tick import brake_tick, heat_pass
+from railgrip.engine.compiler import inlined
+from railgrip.engine.rail import rail_pass
 
-_lanes = numba.njit(forceinline=True, error_model="numpy")
+
+_power_0_8 = inlined(power_0_8)
+_track_brake_force = inlined(track_brake_force)
 
 SLIDING = 0.05
 """Creepage beyond which a wheel counts as sliding."""
 LOCKED = 0.05
 """Share of the train speed below which a wheel counts as locked."""
+ROLLING = 0.3
+"""Train speed below which no wheel counts as locked, m/s."""
 LEAST_SLIP_SPEED = 3.0
 """Train speed below which no greatest slip is recorded, m/s."""
 ACTIVITY_SPEED = 60.0 / 3.6
@@ -30,147 +37,178 @@ BUILT_UP = 0.99
 """Share of the asked force at which the brake counts as built up."""
 
 
-@_lanes
-def _copy(L: int, S: Any, n_axles: int, source: int, target: int) -> None:
+@inlined
+def _copy(lanes: Any, S: Any, n_axles: int, source: int, target: int) -> None:
+    L = width(lanes)
     for i in range(at.N_TRAIN_STATES * L):
         S[target * L + i] = S[source * L + i]
     for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L
+        b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
         for i in range(at.N_STATES * L):
             S[b + target * L + i] = S[b + source * L + i]
 
 
-@_lanes
-def _extrapolate(L: int, S: Any, n_axles: int) -> None:
+@inlined
+def _extrapolate(lanes: Any, S: Any, n_axles: int) -> None:
+    L = width(lanes)
     for i in range(at.N_TRAIN_STATES * L):
         S[i] = 2.0 * S[i] - S[at.FULL_STEP * L + i]
     for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L
+        b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
         for i in range(at.N_STATES * L):
             S[b + i] = 2.0 * S[b + i] - S[b + at.FULL_STEP * L + i]
-        for k in range(L):
-            S[b + at.CYLINDER_PRESSURE * L + k] = max(S[b + at.CYLINDER_PRESSURE * L + k], 0.0)
-            S[b + at.CLAMP_FORCE * L + k] = max(S[b + at.CLAMP_FORCE * L + k], 0.0)
 
 
-@_lanes
-def _clear_impulses(L: int, S: Any, n_axles: int) -> None:
-    for i in range(at.RESISTANCE_IMPULSE * L, (at.TRACK_BRAKE_IMPULSE + 1) * L):
-        S[i] = 0.0
-    for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L
-        for i in range(at.CONTACT_IMPULSE * L, (at.DYNAMIC_IMPULSE + 1) * L):
-            S[b + i] = 0.0
-        for k in range(L):
-            S[b + at.SPEED_BEFORE * L + k] = S[b + at.WHEEL_SPEED * L + k]
-            S[b + at.PRESSURE_BEFORE * L + k] = S[b + at.CYLINDER_PRESSURE * L + k]
-
-
-@_lanes
-def prepare_tick(L: int, S: Any, plan: Any, n_axles: int, moment: int) -> None:
-    """Measure, move the valves, bring the demand and the rail to every axle."""
-    tick = plan.timing.tick
-    for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L
-        interpolate_rail(L, S, plan.way, b, tick)
-        demand_brake(L, S, plan.timing, b)
-        move_valves(L, S, plan.timing, b, moment)
-
-
-@_lanes
-def sense_all(L: int, S: Any, plan: Any, n_axles: int, moment: int) -> None:
-    """Let every speed sensor measure."""
-    for axle in range(n_axles):
-        sense(L, S, plan.timing, (1 + axle) * at.N_VARS * L, moment)
-
-
-@_lanes
-def advance_plant(L: int, S: Any, plan: Any, n_axles: int, custom: Any, step: Any) -> None:
-    """Advance every lane by one tick, to second order."""
-    h = plan.timing.tick
-    brakes = plan.formation.brakes
-    law = plan.creep_law
+@inlined
+def _begin(L: int, S: Any, n_axles: int, h: float) -> None:
+    """Clear the tick's impulses, and work out what acts on the whole train."""
     for k in range(L):
-        S[at.SPEED_BEFORE_TICK * L + k] = S[at.TRAIN_SPEED * L + k]
-    _clear_impulses(L, S, n_axles)
-    _copy(L, S, n_axles, 0, at.SAVED)
-    step(S, n_axles, brakes, law, custom, h, 1.0)
-    _copy(L, S, n_axles, 0, at.FULL_STEP)
-    _copy(L, S, n_axles, at.SAVED, 0)
-    step(S, n_axles, brakes, law, custom, 0.5 * h, 0.5)
-    step(S, n_axles, brakes, law, custom, 0.5 * h, 1.0)
-    _extrapolate(L, S, n_axles)
+        speed = S[at.TRAIN_SPEED * L + k]
+        S[at.SPEED_BEFORE_TICK * L + k] = speed
+        S[at.POSITION_BEFORE * L + k] = S[at.POSITION * L + k]
+        S[at.RESISTANCE_IMPULSE * L + k] = 0.0
+        S[at.TRACK_BRAKE_IMPULSE * L + k] = 0.0
+        middle = max(speed - 0.5 * h * S[at.LAST_DECELERATION * L + k], 0.0)
+        S[at.FILM * L + k] = _power_0_8(middle)
+        magnet = TrackBrake(
+            S[at.TRACK_BRAKE_ATTRACTION * L + k], S[at.TRACK_BRAKE_FRICTION * L + k],
+            S[at.TRACK_BRAKE_FALL * L + k], S[at.TRACK_BRAKE_RELEASE * L + k],
+        )  # fmt: skip
+        wanted = S[at.TRACK_BRAKE_ON * L + k] * _track_brake_force(magnet, middle)
+        change = S[at.TRACK_BRAKE_RATE * L + k] * h
+        force = S[at.TRACK_BRAKE_FORCE * L + k]
+        S[at.TRACK_BRAKE_FORCE * L + k] = max(force - change, min(force + change, wanted))
 
 
-@_lanes
-def account(L: int, S: Any, plan: Any, n_axles: int) -> None:
+@inlined
+def _begin_axle(lanes: Any, S: Any, b: int) -> None:
+    L = width(lanes)
+    for k in range(L):
+        S[b + at.HERE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
+        S[b + at.HERE_POSITION * L + k] = S[at.POSITION * L + k]
+        gain = S[b + at.LOAD_TRANSFER * L + k] * S[at.PITCH_DECELERATION * L + k]
+        S[b + at.HERE_LOAD * L + k] = S[b + at.STATIC_LOAD * L + k] + gain
+    for k in range(L):
+        S[b + at.CONTACT_IMPULSE * L + k] = 0.0
+        S[b + at.BRAKE_IMPULSE * L + k] = 0.0
+
+
+@inlined
+def _remember_speed(lanes: Any, S: Any, b: int) -> None:
+    L = width(lanes)
+    for k in range(L):
+        S[b + at.SPEED_BEFORE * L + k] = S[b + at.WHEEL_SPEED * L + k]
+
+
+@inlined
+def advance(
+    lanes: Any, S: Any, n_axles: int, brakes: Any, demand_tick: Any, demand_level: Any,
+    origin: float, per_metre: float, h: float, creep_law: int, custom: Any, step: Any,
+) -> None:  # fmt: skip
+    """Advance every lane by one tick, to second order, and account for it."""
+    L = width(lanes)
+    _begin(L, S, n_axles, h)
+    brake_tick(lanes, S, n_axles, brakes, demand_tick, demand_level, h)
+    for axle in range(n_axles):
+        b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
+        _begin_axle(lanes, S, b)
+        rail_pass(lanes, S, b, origin, per_metre, 0.5 * h)
+        _remember_speed(lanes, S, b)
+    _copy(lanes, S, n_axles, at.CURRENT, at.SAVED)
+    step(S, n_axles, creep_law, custom, h)
+    _copy(lanes, S, n_axles, at.CURRENT, at.FULL_STEP)
+    _copy(lanes, S, n_axles, at.SAVED, at.CURRENT)
+    step(S, n_axles, creep_law, custom, 0.5 * h)
+    step(S, n_axles, creep_law, custom, 0.5 * h)
+    _extrapolate(lanes, S, n_axles)
+    _account(lanes, S, n_axles, h)
+
+
+@inlined
+def _account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
     """Sum up what the tick did, each term from its own force and speed."""
-    h = plan.timing.tick
+    L = width(lanes)
     for k in range(L):
         mean = 0.5 * (S[at.SPEED_BEFORE_TICK * L + k] + S[at.TRAIN_SPEED * L + k])
+        S[at.MEAN_SPEED * L + k] = mean
         S[at.RESISTANCE_ENERGY * L + k] += S[at.RESISTANCE_IMPULSE * L + k] * mean
-        S[at.GRADIENT_ENERGY * L + k] += S[at.GRADIENT_IMPULSE * L + k] * mean
+        S[at.GRADIENT_ENERGY * L + k] += h * S[at.GRADIENT_FORCE * L + k] * mean
         S[at.TRACK_BRAKE_ENERGY * L + k] += S[at.TRACK_BRAKE_IMPULSE * L + k] * mean
         S[at.POSITION * L + k] += h * mean
         S[at.SLOW_AXLES * L + k] = 0.0
     for axle in range(n_axles):
-        _account_axle(L, S, (1 + axle) * at.N_VARS * L, h)
+        b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
+        for k in range(L):
+            S[b + at.HERE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
+            S[b + at.HERE_MEAN * L + k] = S[at.MEAN_SPEED * L + k]
+            S[b + at.HERE_DEMAND * L + k] = S[at.FIRST_DEMAND * L + k]
+        _account_energy(lanes, S, b, h)
+        heat_pass(lanes, S, b, h)
+        _account_slide(lanes, S, b, h)
+        _account_build_up(lanes, S, b, h)
+        for k in range(L):
+            is_slow = S[b + at.WHEEL_SPEED * L + k] < 0.9 * S[b + at.HERE_SPEED * L + k]
+            S[b + at.IS_SLOW * L + k] = 1.0 if is_slow else 0.0
+        for k in range(L):
+            S[at.SLOW_AXLES * L + k] += S[b + at.IS_SLOW * L + k]
     for k in range(L):
-        is_fast = S[at.TRAIN_SPEED * L + k] > ACTIVITY_SPEED
-        S[at.ACTIVE_TIME * L + k] += h * is_fast
-        S[at.SLIDE_ACTIVE * L + k] += h * is_fast * (
-            2.0 * S[at.SLOW_AXLES * L + k] >= n_axles
-        )
-        S[at.LAST_DECELERATION * L + k] = (
-            S[at.SPEED_BEFORE_TICK * L + k] - S[at.TRAIN_SPEED * L + k]
-        ) / h
+        time = h if S[at.TRAIN_SPEED * L + k] > ACTIVITY_SPEED else 0.0
+        S[at.ACTIVE_TIME * L + k] += time
+        half = 2.0 * S[at.SLOW_AXLES * L + k] >= float(n_axles)
+        S[at.SLIDE_ACTIVE * L + k] += time if half else 0.0
+        lost = S[at.SPEED_BEFORE_TICK * L + k] - S[at.TRAIN_SPEED * L + k]
+        S[at.LAST_DECELERATION * L + k] = lost / h
         S[at.TICK * L + k] += 1.0
 
 
-@_lanes
-def _account_axle(L: int, S: Any, b: int, h: float) -> None:
+@inlined
+def _account_energy(lanes: Any, S: Any, b: int, h: float) -> None:
+    L = width(lanes)
     for k in range(L):
-        train_speed = S[at.TRAIN_SPEED * L + k]
-        mean = 0.5 * (S[at.SPEED_BEFORE_TICK * L + k] + train_speed)
-        wheel_speed = S[b + at.WHEEL_SPEED * L + k]
-        wheel_mean = 0.5 * (S[b + at.SPEED_BEFORE * L + k] + wheel_speed)
+        mean = S[b + at.HERE_MEAN * L + k]
+        wheel_mean = 0.5 * (S[b + at.SPEED_BEFORE * L + k] + S[b + at.WHEEL_SPEED * L + k])
+        given = S[b + at.CONTACT_IMPULSE * L + k] * (wheel_mean - mean)
         S[b + at.ROLLED * L + k] += h * abs(wheel_mean)
-        slid = h * abs(wheel_mean - mean)
-        S[b + at.SLID_DISTANCE * L + k] += slid
-        S[b + at.SLID_NOW * L + k] = S[b + at.CONTACT_IMPULSE * L + k] * (wheel_mean - mean)
-        S[b + at.SLID_ENERGY * L + k] += S[b + at.SLID_NOW * L + k]
+        S[b + at.SLID_DISTANCE * L + k] += h * abs(wheel_mean - mean)
+        S[b + at.SLID_NOW * L + k] = given
+        S[b + at.SLID_ENERGY * L + k] += given
         S[b + at.BRAKE_ENERGY * L + k] += S[b + at.BRAKE_IMPULSE * L + k] * wheel_mean
-        S[b + at.DYNAMIC_ENERGY * L + k] += S[b + at.DYNAMIC_IMPULSE * L + k] * wheel_mean
-        is_rolling = train_speed > 0.3
-        is_locked = (wheel_speed < LOCKED * train_speed) * is_rolling
-        S[b + at.LOCKED_TIME * L + k] += h * is_locked
-        S[b + at.LOCK_NOW * L + k] = (S[b + at.LOCK_NOW * L + k] + h) * is_locked
-        S[b + at.LONGEST_LOCK * L + k] = max(
-            S[b + at.LONGEST_LOCK * L + k], S[b + at.LOCK_NOW * L + k]
-        )
-        S[b + at.LOCKED_SLIDE * L + k] += S[b + at.SLID_NOW * L + k] * is_locked
+        S[b + at.DYNAMIC_ENERGY * L + k] += h * S[b + at.DYNAMIC_ACTING * L + k] * wheel_mean
+
+
+@inlined
+def _account_slide(lanes: Any, S: Any, b: int, h: float) -> None:
+    L = width(lanes)
+    for k in range(L):
+        train_speed = S[b + at.HERE_SPEED * L + k]
+        wheel_speed = S[b + at.WHEEL_SPEED * L + k]
+        is_locked = wheel_speed < LOCKED * train_speed and train_speed > ROLLING
+        lock_now = S[b + at.LOCK_NOW * L + k] + h if is_locked else 0.0
+        S[b + at.LOCK_NOW * L + k] = lock_now
+        S[b + at.LOCKED_TIME * L + k] += h if is_locked else 0.0
+        S[b + at.LONGEST_LOCK * L + k] = max(S[b + at.LONGEST_LOCK * L + k], lock_now)
+        S[b + at.LOCKED_SLIDE * L + k] += S[b + at.SLID_NOW * L + k] if is_locked else 0.0
         slip = (train_speed - wheel_speed) / max(train_speed, LEAST_SLIP_SPEED)
-        slip = slip * (train_speed > LEAST_SLIP_SPEED)
+        slip = slip if train_speed > LEAST_SLIP_SPEED else 0.0
         S[b + at.GREATEST_SLIP * L + k] = max(S[b + at.GREATEST_SLIP * L + k], slip)
-        S[b + at.SLIDE_TIME * L + k] += h * (slip > SLIDING)
-        S[at.SLOW_AXLES * L + k] += wheel_speed < 0.9 * train_speed
+        S[b + at.SLIDE_TIME * L + k] += h if slip > SLIDING else 0.0
         S[b + at.GREATEST_TEMPERATURE * L + k] = max(
             S[b + at.GREATEST_TEMPERATURE * L + k], S[b + at.RING_TEMPERATURE * L + k]
         )
-        _account_build_up(L, S, b, k, h)
 
 
-@_lanes
-def _account_build_up(L: int, S: Any, b: int, k: int, h: float) -> None:
+@inlined
+def _account_build_up(lanes: Any, S: Any, b: int, h: float) -> None:
     """Count the force that is still missing after the first command, as time at full force."""
-    full = max(S[b + at.FULL_FORCE * L + k], 1.0)
-    offered = (
-        S[b + at.SUPPLY_PRESSURE * L + k] / S[b + at.FULL_PRESSURE * L + k]
-        + S[b + at.DYNAMIC_FORCE * L + k] / full
-    )
-    asked = S[at.FIRST_DEMAND * L + k]
-    share = min(offered / max(asked, 1e-6), 1.0)
-    is_asked = asked > 0.0
-    built = (S[b + at.IS_BUILT_UP * L + k] + is_asked * (share >= BUILT_UP)) > 0.0
-    S[b + at.IS_BUILT_UP * L + k] = built
-    S[b + at.BUILD_UP_TIME * L + k] += h * (1.0 - share) * is_asked * (1.0 - built)
+    L = width(lanes)
+    for k in range(L):
+        offered = (
+            S[b + at.SUPPLY_PRESSURE * L + k] / S[b + at.FULL_PRESSURE * L + k]
+            + S[b + at.DYNAMIC_FORCE * L + k] / S[b + at.FULL_FORCE * L + k]
+        )
+        asked = S[b + at.HERE_DEMAND * L + k]
+        share = min(offered / max(asked, 1e-6), 1.0)
+        is_built = S[b + at.IS_BUILT_UP * L + k] > 0.0 or (asked > 0.0 and share >= BUILT_UP)
+        S[b + at.IS_BUILT_UP * L + k] = 1.0 if is_built else 0.0
+        missing = h * (1.0 - share)
+        S[b + at.BUILD_UP_TIME * L + k] += missing if asked > 0.0 and not is_built else 0.0

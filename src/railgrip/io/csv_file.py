@@ -11,7 +11,7 @@ import numpy as np
 
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.core.signals import SIGNALS
-from railgrip.io.atomic import write_aside
+from railgrip.core.atomic import write_aside
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -105,7 +105,8 @@ def _dataset(result: Any) -> xr.Dataset:
 
 def _traces(one: xr.Dataset, signals: Iterable[str] | None) -> list[str]:
     present = [str(name) for name in one.data_vars if "time" in one[name].dims]
-    present.sort(key=lambda name: (one[name].ndim, list(SIGNALS).index(name) if name in SIGNALS else 0))
+    order = {name: k for k, name in enumerate(SIGNALS)}
+    present.sort(key=lambda name: (one[name].ndim, order.get(name, len(order))))
     if signals is None:
         return present
     wanted = list(signals)

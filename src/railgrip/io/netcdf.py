@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.io.atomic import write_aside
+from railgrip.core.atomic import write_aside
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -99,17 +99,19 @@ def open_result(path: str | os.PathLike[str]) -> xr.Dataset:
         raise RailgripError(Problem(str(file), what))
     for variable in data.variables.values():
         variable.encoding.clear()
+    data.attrs = {
+        name: value.item() if isinstance(value, np.generic) else value
+        for name, value in data.attrs.items()
+    }
     return data
 
 
 def _attribute(value: Any) -> Any:
     """Return an attribute as NetCDF can hold it; tables and lists of texts become JSON."""
-    if value is None or isinstance(value, str | int | float | np.number) and not isinstance(
-        value, bool
-    ):
-        return value
     if isinstance(value, bool | np.bool_):
         return int(value)
+    if value is None or isinstance(value, str | int | float | np.number):
+        return value
     if isinstance(value, np.ndarray) and value.dtype.kind in "iuf":
         return value
     return json.dumps(value, default=str, ensure_ascii=False)

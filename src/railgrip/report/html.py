@@ -68,7 +68,7 @@ def write_report(
     Path
         The file written.
     """
-    from railgrip.io.atomic import write_aside
+    from railgrip.core.atomic import write_aside
 
     target = Path(path)
     page = report_html(result, ghost=ghost, measured=measured, limits=limits, run=run)
@@ -103,7 +103,8 @@ def report_html(
         cards=tables.cards(figures),
         limits=tables.limit_list(check_limits(view.dataset, _limits(view, limits), run)),
         comparison=_comparison(view, ghosts, measured),
-        charts="\n".join(_figure(view, name) for name in CHARTS if _drawn(view, name)),
+        charts="\n".join(_figure(view, name) for name in CHARTS if _drawn(view, name))
+        or "<p>This run was made without traces.</p>",
         metrics=tables.metric_table(figures),
         energy=tables.energy_rows(energy_table(view.dataset, run)),
         axles=_axles(view),
@@ -119,10 +120,17 @@ def _heading(view: View) -> dict[str, str]:
     return {
         "status": escape(status_sentence(view.dataset, view.run)),
         "state": "good" if well else "bad",
-        "version": escape(str(view.dataset.attrs.get("version", "?"))),
+        "version": escape(str(view.dataset.attrs.get("railgrip_version", "?"))),
         "seed": escape(str(view.dataset.attrs.get("seed", "–"))),
-        "where": f" · starts at km {start / 1e3:.3f} of the line" if start else "",
+        "where": "".join(f" · {escape(part)}" for part in _circumstances(view, start)),
     }
+
+
+def _circumstances(view: View, start: float) -> list[str]:
+    attrs = view.dataset.attrs
+    parts = [f"controller {attrs['controller']}"] if "controller" in attrs else []
+    parts += [f"creep law {attrs['creep_law']}"] if "creep_law" in attrs else []
+    return parts + ([f"starts at km {start / 1e3:.3f} of the line"] if start else [])
 
 
 def _limits(view: View, given: Mapping[str, float] | None) -> Mapping[str, float]:

@@ -7,6 +7,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from railgrip.report.thin import Thinner
 from railgrip.report.thresholds import thresholds
 from railgrip.report.units import shown
 from railgrip.report.view import Array, View
@@ -84,49 +85,12 @@ def _short(value: float) -> float:
     return float(f"{value:.6g}")
 
 
-class Thinner:
-    """Thin traces to at most `most` points, keeping the peaks.
-
-    Each stretch of samples becomes two: its least and its greatest value, in their order. So a
-    vent pulse or a short lock stays visible, displaced by less than the stretch.
-
-    Examples
-    --------
-    >>> thin = Thinner(8, 4)
-    >>> thin(np.array([0.0, 0, 9, 0, 1, 1, 1, 1])).tolist()
-    [0.0, 9.0, 1.0, 1.0]
-    """
-
-    def __init__(self, samples: int, most: int) -> None:
-        self.stretch = 1 if samples <= most else -(-samples // max(1, most // 2))
-
-    def axis(self, x: Array) -> Array:
-        """Thin an axis: the start and the middle of each stretch."""
-        if self.stretch == 1:
-            return x
-        cut = self._cut(x)
-        return np.ravel(cut[:, [0, self.stretch // 2]])
-
-    def __call__(self, values: Array) -> Array:
-        """Thin a trace."""
-        if self.stretch == 1:
-            return values
-        cut = self._cut(values)
-        low = np.where(np.isnan(cut), np.inf, cut).argmin(axis=1)
-        high = np.where(np.isnan(cut), -np.inf, cut).argmax(axis=1)
-        rows = np.arange(len(cut))
-        pair = np.stack([cut[rows, np.minimum(low, high)], cut[rows, np.maximum(low, high)]], 1)
-        return np.ravel(pair)
-
-    def _cut(self, values: Array) -> Array:
-        short = -len(values) % self.stretch
-        return np.pad(values, (0, short), mode="edge").reshape(-1, self.stretch)
-
-
 def payload(
     view: View, ghosts: dict[str, View] | None = None, measured: Overlay | None = None
 ) -> dict[str, Any]:
-    """Return all that the page draws, in the engineer's units."""
+    """Return all that the page draws, in the engineer's units; nothing of a run without traces."""
+    if not view.has("train_speed"):
+        return {}
     axle_signals = [name for name in AXLE if view.has(name)]
     letters = len(view.axles) * len(axle_signals) * 2 * 4 / 3  # of base64, for one point in time
     budget = 1.3e6 + 40e3 * max(0, len(view.axles) - 16)
@@ -135,6 +99,7 @@ def payload(
     page |= {
         "vehicles": view.vehicles,
         "vehicle_of": view.vehicle_of,
+        "places": view.places,
         "worst": view.worst_axle if view.has("wheel_speed") else 0,
         "vehicle": {},
         "rail": _rail(view),

@@ -23,6 +23,7 @@ CARDS = (
     "disc_temperature",
     "air_used",
 )
+DECIMALS = {"km/h": 2, "m": 1, "s": 2, "m/s²": 3, "bar": 2, "kN": 2, "°C": 1}
 
 
 def cards(figures: Sequence[Metric]) -> str:
@@ -109,7 +110,8 @@ def comparison_table(runs: Mapping[str, Sequence[Metric]]) -> str:
                 continue
             change = other[figure.name].value - figure.value
             how = shown(SOURCES[figure.name].variable)
-            less = f" ({change:+.{how.decimals}f})" if change == change and change else ""
+            form = f"+.{how.decimals}f" if how.decimals >= 0 else "+.1e"
+            less = f" ({change:{form}})" if change == change and change else ""
             cells.append(other[figure.name].text.partition(" (")[0] + less)
         rows.append((figure.label, cells))
     return table("Runs compared (in brackets: less the first)", ["Figure", *runs], rows)
@@ -117,16 +119,16 @@ def comparison_table(runs: Mapping[str, Sequence[Metric]]) -> str:
 
 def difference_table(rows: Iterable[Any]) -> str:
     """Return a table simulated − measured from rows with label, simulated, measured, unit."""
-    body = [
-        (row.label, [_number(row.simulated), _number(row.measured), _number(row.difference), row.unit])
-        for row in rows
-    ]
-    heads = ["Figure", "Simulated", "Measured", "Difference", "Unit"]
+    body = []
+    for row in rows:
+        form = f"{{:.{DECIMALS[row.unit]}f}}" if row.unit in DECIMALS else "{:.4g}"
+        numbers = (row.simulated, row.measured, row.difference)
+        cells = ["–" if number != number else form.format(number) for number in numbers]
+        if row.measured == row.measured and row.measured:
+            cells[2] += f" ({100 * row.difference / row.measured:+.1f} %)"
+        body.append((row.label, [*cells, row.unit]))
+    heads = ["Figure", "Simulated", "Measured", "Simulated − measured", "Unit"]
     return table("Simulated and measured", heads, body)
-
-
-def _number(value: float) -> str:
-    return "–" if value != value else f"{value:.4g}"
 
 
 def table(

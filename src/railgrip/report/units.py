@@ -17,7 +17,7 @@ class Shown(NamedTuple):
     factor : float
         Shown unit per SI unit.
     decimals : int
-        Digits after the point that mean something.
+        Digits after the point that mean something; -1: written as a power of ten.
     """
 
     unit: str
@@ -47,7 +47,7 @@ _BY_NAME = {
     "creepage": _PER_CENT,
     "cleaning": _PER_CENT,
     "brake_demand": _PER_CENT,
-    "energy_balance": Shown("%", 100.0, 6),
+    "energy_balance": Shown("", 1.0, -1),
     "axle_flat_length": Shown("mm", 1e3, 1),
     "axle_valve_cycles": Shown("", 1.0, 0),
     "status": Shown("", 1.0, 0),
@@ -88,7 +88,7 @@ def written(value: float, how: Shown) -> str:
     """
     if value != value:
         return "–"
-    number = f"{value:.{how.decimals}f}"
+    number = f"{value:.1e}" if how.decimals < 0 else f"{value:.{how.decimals}f}"
     return f"{number} {how.unit}".rstrip()
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from railgrip.core.errors import Problem, RailgripError
+from railgrip.report.thin import Thinner
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -35,6 +36,8 @@ class View:
         A result with the names of the signal catalogue.
     run : int
         Which run, counted from 0.
+    most : int
+        Traces are thinned to about this many points, their peaks kept; 0: every point.
 
     Raises
     ------
@@ -44,6 +47,7 @@ class View:
 
     dataset: xr.Dataset
     run: int = 0
+    most: int = 0
 
     def __post_init__(self) -> None:
         runs = self.dataset.sizes.get("run", 1)
@@ -62,7 +66,7 @@ class View:
             raise RailgripError(f"the result has no '{name}'; it has: {known}")
         values = self._all(name)
         if "time" in self.dataset[name].dims:
-            return values[..., : self._steps]
+            return self._thin(values[..., : self._steps])
         return values
 
     def number(self, name: str) -> float:
@@ -79,19 +83,30 @@ class View:
 
     @cached_property
     def _steps(self) -> int:
+        if "train_speed" not in self.dataset:
+            return 0
         finite = np.flatnonzero(np.isfinite(self._all("train_speed")))
         return int(finite[-1]) + 1 if len(finite) else 0
 
     @cached_property
+    def _thin(self) -> Thinner:
+        return Thinner(self._steps, self.most or self._steps)
+
+    @cached_property
     def time(self) -> Array:
         """Time from the start of the record, s."""
-        return np.asarray(self.dataset["time"].values, dtype=np.float64)[: self._steps]
+        if self._steps == 0:
+            return np.empty(0)
+        every = np.asarray(self.dataset["time"].values, dtype=np.float64)[: self._steps]
+        return self._thin.axis(every)
 
     @cached_property
     def distance(self) -> Array:
         """Distance run from the start of the record, m."""
-        position = self.get("train_position")
-        return np.asarray(position - position[:1])
+        if "train_position" not in self.dataset:
+            return np.full(len(self.time), np.nan)
+        position = self._all("train_position")[: self._steps]
+        return self._thin.axis(position - position[:1])
 
     @cached_property
     def start(self) -> float:
@@ -104,21 +119,29 @@ class View:
         return [str(label) for label in self.dataset["axle"].values]
 
     @cached_property
+    def _owners(self) -> list[str]:
+        """The vehicle's part of each axle's label: C1-V2 of C1-V2-B1-A1."""
+        found = [re.match(r".*?V\d+", label) for label in self.axles]
+        return [match.group() if match else "V1" for match in found]
+
+    @cached_property
     def vehicle_of(self) -> list[int]:
         """Index of the vehicle of each axle, read from the label."""
-        found = [re.search(r"V(\d+)", label) for label in self.axles]
-        numbers = [int(match.group(1)) if match else 1 for match in found]
-        order = {number: k for k, number in enumerate(dict.fromkeys(numbers))}
-        return [order[number] for number in numbers]
+        order = {owner: k for k, owner in enumerate(dict.fromkeys(self._owners))}
+        return [order[owner] for owner in self._owners]
 
     @cached_property
     def vehicles(self) -> list[str]:
-        """Names of the vehicles, front first."""
-        count = max(self.vehicle_of, default=-1) + 1
-        if "vehicle" in self.dataset.coords and self.dataset.sizes["vehicle"] == count:
-            names = [str(name) for name in self.dataset["vehicle"].values]
-            return [f"V{name}" if name.isdigit() else name for name in names]
-        return [f"V{k + 1}" for k in range(count)]
+        """Names of the vehicles, front first; without C1 where the train is one unit."""
+        owners = list(dict.fromkeys(self._owners))
+        units = {owner.partition("-V")[0] for owner in owners}
+        return [owner.rpartition("-")[2] for owner in owners] if len(units) == 1 else owners
+
+    @cached_property
+    def places(self) -> list[str]:
+        """The rest of each axle's label, within its vehicle: B1-A1 of C1-V2-B1-A1."""
+        pairs = zip(self.axles, self._owners, strict=True)
+        return [label.removeprefix(owner).strip("-") or label for label, owner in pairs]
 
     @cached_property
     def title(self) -> str:

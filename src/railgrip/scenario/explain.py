@@ -16,6 +16,7 @@ from railgrip.scenario.friction import PAD_LAWS
 from railgrip.scenario.quantity import Unit
 
 _MOST_PROBLEMS = 50
+_TOO_MANY = 20_000
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 _WORDS = {
@@ -41,6 +42,8 @@ _WORDS = {
 
 def problems_of(error: ValidationError, model: type[BaseModel], at: str = "") -> list[Problem]:
     """Return each error as a problem: key path, what, got, allowed, nearest known key."""
+    if error.error_count() > _TOO_MANY:
+        return [Problem(at, f"there are {error.error_count()} problems, too many to tell")]
     problems: list[Problem] = []
     for detail in error.errors(include_url=False):
         if not _is_echo(detail):

@@ -14,6 +14,8 @@ Table = dict[str, Any]
 
 MOST_BYTES = 5_000_000
 MOST_DEPTH = 40
+MOST_ENTRIES = 20_000
+MOST_VALUES = 250_000
 
 # tomllib takes quadratic time over a key of many dotted parts.
 _LONG_KEY = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){60}""")
@@ -92,15 +94,28 @@ def parse(text: str, where: str = "") -> Table:
 
 
 def check_depth(table: Any, where: str = "") -> None:
-    """Refuse what is nested so deeply that nothing else could walk it."""
-    level: list[Any] = [table]
-    for _ in range(MOST_DEPTH):
+    """Refuse what is nested so deeply, or holds so much, that nothing else could walk it."""
+    level: list[Any] = [[table]]
+    values = 0
+    for _ in range(MOST_DEPTH + 1):
         below: list[Any] = []
         for value in level:
-            if isinstance(value, dict):
-                below.extend(value.values())
-            elif isinstance(value, (list, tuple)):
-                below.extend(value)
+            entries = value.values() if isinstance(value, dict) else value
+            if len(entries) > MOST_ENTRIES:
+                raise RailgripError(
+                    Problem(
+                        where,
+                        "has a list or table of too many entries",
+                        got=f"{len(entries)}",
+                        allowed=f"up to {MOST_ENTRIES}",
+                    )
+                )
+            values += len(entries)
+            below.extend(entry for entry in entries if isinstance(entry, (dict, list, tuple)))
+        if values > MOST_VALUES:
+            raise RailgripError(
+                Problem(where, "holds too many values", allowed=f"up to {MOST_VALUES}")
+            )
         if not below:
             return
         level = below

@@ -145,7 +145,7 @@ def _as_number(value: Any) -> Any:
         return float(value)
     if isinstance(value, str):
         number = si_value(value)
-        if number is None:
+        if number is None or not math.isfinite(number):
             raise PydanticCustomError(
                 "railgrip",
                 "{what}",

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
 from railgrip.app import results
-from railgrip.app.inputs import Named, changes_from, read_scenario
+from railgrip.app.inputs import changes_from, formats_from, read_scenario
+from railgrip.app.runs import simulate_all, variants
 from railgrip.app.screen import print_json, print_table, working
 from railgrip.core.errors import Problem, RailgripError
 
 if TYPE_CHECKING:
-    from railgrip.engine import Result
+    from railgrip.engine.result import Result
+    from railgrip.io.measured import MeasuredComparison
 
 
 def compare(
@@ -23,6 +26,7 @@ def compare(
     channels: Annotated[Path | None, Parameter(name="--map")] = None,
     out: Path | None = None,
     changes: Annotated[list[str] | None, Parameter(name="--set", consume_multiple=True)] = None,
+    figures: str = "",
     report: Annotated[bool, Parameter(name="--report", negative="--no-report")] = True,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
@@ -44,77 +48,117 @@ def compare(
         Folder for the report; ./out/<first scenario>_compared if not given.
     changes
         Changes to every scenario, key=value.
+    figures
+        Also write figures for documents, in these formats: png,svg,pdf.
     report
         Write files, or only print the figures.
     as_json
         Print one JSON object instead of the tables.
     """
-    wanted = changes_from(changes or [])
+    words = [word.strip() for word in controllers.split(",") if word.strip()]
+    _refuse_nothing_to_compare(files, words, measured, channels)
+    wanted, formats = changes_from(changes or []), formats_from(figures)
     with working("reading the scenarios"):
-        named = variants(files, wanted, [one for one in controllers.split(",") if one.strip()])
-        record = _record(measured, channels)
-    if len(named) == 1 and record is None:
-        what = "there is nothing to compare the run with"
-        cure = "a second scenario, --controllers a,b or --measured stop.csv"
-        raise RailgripError(Problem("compare", what, cure=cure))
+        named = variants([read_scenario(file, wanted) for file in files], words)
     runs = simulate_all(named)
-    first_name, first = next(iter(runs.items()))
-    overlay = None if record is None else record.over(first)
-    files_written: list[Path] = []
+    first, *others = runs
+    overlay = _laid_over(runs[first], measured, channels)
+    written: list[Path] = []
     if report:
-        ghost = {name: result for name, result in runs.items() if name != first_name}
         folder = out or Path("out") / f"{Path(files[0]).stem}_compared"
         with working("writing the report"):
-            files_written = results.write(first, folder, ghost=ghost, measured=overlay)
-    code = max(results.exit_code(result) for result in runs.values())
+            ghost = {name: runs[name] for name in others}
+            written = results.write(runs[first], folder, formats, ghost=ghost, measured=overlay)
+    code = max(map(results.exit_code, runs.values()))
     if as_json:
-        print_json(_as_json(runs, overlay, files_written, code))
+        print_json(as_json_of(runs, overlay, written, code))
         return code
-    if len(runs) > 1:
+    if others:
         show(runs)
     if overlay is not None:
         show_measured(overlay)
     for name, result in runs.items():
         results.show_missed(result, name)
-    results.name_files(files_written)
+    results.name_files(written)
     return code
 
 
-def simulate_all(named: list[Named]) -> dict[str, Result]:
-    """Run every scenario; return the results by name, in order."""
-    import railgrip
-
-    runs: dict[str, Result] = {}
-    for number, (name, scenario) in enumerate(named, 1):
-        with working(f"braking {number} of {len(named)}: {name}"):
-            label = name if name not in runs else f"{name} ({number})"
-            runs[label] = railgrip.simulate(scenario)
-    return runs
-
-
-def variants(
-    files: tuple[str, ...], changes: dict[str, Any], controllers: list[str]
-) -> list[Named]:
-    """Return each scenario, once for every controller if there are any."""
+def _refuse_nothing_to_compare(
+    files: tuple[str, ...], controllers: list[str], measured: Path | None, channels: Path | None
+) -> None:
     if not files:
         cure = "railgrip compare dry.toml leaves.toml"
         raise RailgripError(Problem("compare", "no scenario is given", cure=cure))
-    named = [read_scenario(file, changes) for file in files]
-    if not controllers:
-        return named
-    found = []
-    for name, scenario in named:
-        for word in map(str.strip, controllers):
-            label = Path(word).stem if len(named) == 1 else f"{name}, {Path(word).stem}"
-            place = str(Path(word).resolve()) if word.endswith(".py") else word
-            found.append(Named(label, scenario.with_({"wsp.controller": place})))
-    return found
+    if len(files) * max(len(controllers), 1) == 1 and measured is None:
+        what = "there is nothing to compare the run with"
+        cure = "a second scenario, --controllers a,b or --measured stop.csv"
+        raise RailgripError(Problem("compare", what, cure=cure))
+    if (measured is None) != (channels is None):
+        what = "--measured and --map belong together"
+        cure = "--measured stop.csv --map channels.toml"
+        raise RailgripError(Problem("compare", what, cure=cure))
 
 
-def _record(measured: Path | None, channels: Path | None) -> Any:
-    if measured is None:
-        if channels is not None:
-            cure = "--measured stop.csv"
-            raise RailgripError(Problem("--map", "needs a recorded stop", cure=cure))
+def _laid_over(
+    result: Result, measured: Path | None, channels: Path | None
+) -> MeasuredComparison | None:
+    if measured is None or channels is None:
         return None
-    raise NotImplementedError
+    from railgrip.io.measured import compare_measured, read_measured
+
+    return compare_measured(result, read_measured(measured, channels))
+
+
+def show(runs: dict[str, Result], title: str = "") -> None:
+    """Print the figures of all runs, with the difference to the first."""
+    from railgrip.report.metrics import metrics
+
+    figures = [{metric.name: metric for metric in metrics(result)} for result in runs.values()]
+    first, *others = figures
+    rows = [
+        [metric.label, metric.text, *(_against(metric, other.get(name)) for other in others)]
+        for name, metric in first.items()
+    ]
+    print_table(title or "Compared", ["", *runs], rows)
+
+
+def _against(base: Any, other: Any) -> str:
+    if other is None:
+        return "–"
+    change = (other.value - base.value) / abs(base.value) if base.value else math.nan
+    # Beyond twice as much, and for an error of rounding, a percentage tells nothing.
+    if not 0 < abs(change) <= 2 or base.name == "energy_balance":
+        return str(other.text)
+    return f"{other.text}  ({change:+.1%})"
+
+
+def show_measured(overlay: MeasuredComparison) -> None:
+    """Print what differs between the simulated and the measured stop."""
+    rows = [
+        [
+            row.label,
+            _number(row.simulated),
+            _number(row.measured),
+            _number(row.difference, "+"),
+            row.unit,
+        ]
+        for row in overlay.rows
+    ]
+    heads = ["", "simulated", "measured", "difference", "unit"]
+    print_table(f"Simulated and measured: {overlay.title}", heads, rows)
+
+
+def _number(value: float, sign: str = "") -> str:
+    return f"{value:{sign}.4g}" if value == value else "–"
+
+
+def as_json_of(
+    runs: dict[str, Result], overlay: MeasuredComparison | None, files: list[Path], code: int
+) -> dict[str, Any]:
+    """Return what `--json` prints of several runs."""
+    found: dict[str, Any] = {
+        "runs": {name: results.as_json(result, []) for name, result in runs.items()}
+    }
+    if overlay is not None:
+        found["measured"] = {row.name: row._asdict() for row in overlay.rows}
+    return {**found, "files": [str(path) for path in files], "exit_code": code}

@@ -23,7 +23,7 @@ def new(name: str, /) -> int:
         raise RailgripError(Problem("new", what, got=f"'{name}'", allowed="letters, digits, _ . -"))
     if path.exists():
         raise RailgripError(Problem(str(path), "is there already", cure="another name"))
-    from railgrip.io.atomic import write_aside
+    from railgrip.core.atomic import write_aside
 
     text = template().replace("TITLE", path.stem.replace("_", " "))
     with write_aside(path) as aside:

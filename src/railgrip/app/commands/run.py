@@ -8,7 +8,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from railgrip.app import results
-from railgrip.app.inputs import changes_from, read_scenario
+from railgrip.app.inputs import changes_from, formats_from, read_scenario
 from railgrip.app.screen import print_json, working
 
 
@@ -19,6 +19,7 @@ def run(
     out: Path | None = None,
     trace: str | None = None,
     changes: Annotated[list[str] | None, Parameter(name="--set", consume_multiple=True)] = None,
+    figures: str = "",
     report: Annotated[bool, Parameter(name="--report", negative="--no-report")] = True,
     as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> int:
@@ -31,11 +32,13 @@ def run(
     file
         A scenario file, or a shipped scenario by name.
     out
-        Folder for report, data, curves and figures; ./out/<scenario> if not given.
+        Folder for report, data and curves; ./out/<scenario> if not given.
     trace
         Time between two points of the curves, e.g. "20 ms".
     changes
         Changes to the scenario, key=value, e.g. --set run.speed=120km/h wsp.controller=none.
+    figures
+        Also write figures for documents, in these formats: png,svg,pdf.
     report
         Write files, or only print the figures.
     as_json
@@ -44,6 +47,7 @@ def run(
     wanted = changes_from(changes or [])
     if trace is not None:
         wanted["run.trace"] = trace
+    formats = formats_from(figures)
     with working("reading the scenario"):
         name, scenario = read_scenario(file, wanted)
     with working("braking (the first run compiles the engine)"):
@@ -53,7 +57,7 @@ def run(
     files = []
     if report:
         with working("writing the report"):
-            files = results.write(result, out or Path("out") / name)
+            files = results.write(result, out or Path("out") / name, formats)
     if as_json:
         print_json(results.as_json(result, files))
     else:

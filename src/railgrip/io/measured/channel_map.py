@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -161,8 +162,7 @@ def read_channel_map(source: str | os.PathLike[str] | Mapping[str, Any]) -> Chan
         problems = problems_of(error, ChannelMap)
         if where:
             problems = [
-                Problem(f"{where}: {p.where}" if p.where else where, p.what, p.got, p.allowed, p.cure)
-                for p in problems
+                replace(p, where=f"{where}: {p.where}" if p.where else where) for p in problems
             ]
         raise RailgripError(problems) from None
 

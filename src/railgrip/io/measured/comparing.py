@@ -9,7 +9,8 @@ import numpy as np
 
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.core.signals import SIGNALS
-from railgrip.io.measured.reading import MeasuredStop
+from railgrip.io.measured.aligning import command_time, crossing_time, simulated_stop
+from railgrip.io.measured.stop import MeasuredStop
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -124,15 +125,15 @@ def compare_measured(
     (v0² − v1²)/2s of each stop, with its own v0.
     """
     data = getattr(result, "data", result) if not hasattr(result, "data_vars") else result
-    simulated = _simulated(data, run)
+    simulated = simulated_stop(data, run)
     if brake_command is None and speed_crossing is None:
         brake_command, speed_crossing = measured.brake_command, measured.speed_crossing
     if speed_crossing is not None:
-        there = _crossing(measured, speed_crossing)
-        here = _crossing(simulated, speed_crossing)
+        there = crossing_time(measured, speed_crossing)
+        here = crossing_time(simulated, speed_crossing)
     else:
-        there = _command(measured) if brake_command is None else float(brake_command)
-        here = _command(simulated)
+        there = command_time(measured) if brake_command is None else float(brake_command)
+        here = command_time(simulated)
     if not measured.time[0] <= there <= measured.time[-1]:
         got = f"{there:g} s"
         allowed = f"{measured.time[0]:g} to {measured.time[-1]:g} s"
@@ -143,50 +144,6 @@ def compare_measured(
     laid = replace(measured, time=measured.time - there + here)
     rows = [*_stop_rows(simulated, laid, here), *_trace_rows(simulated, laid, here)]
     return MeasuredComparison(laid, np.asarray(measured.distance - before + ahead), rows)
-
-
-def _simulated(data: Any, run: int) -> MeasuredStop:
-    """Return the simulated stop in the clothes of a measured one, until its end."""
-    one = data.isel(run=run) if "run" in data.dims else data
-    ended = np.isfinite(np.asarray(one["train_speed"].values, dtype=float))
-    if not ended.any():
-        raise RailgripError("the simulated stop has no traces; try: run.trace = '20 ms'")
-    train, axles = {}, {}
-    labels = [str(label) for label in one["axle"].values]
-    for name in map(str, one.data_vars):
-        dims = SIGNALS[name].dims if name in SIGNALS else ()
-        if dims == ("time",):
-            train[name] = np.asarray(one[name].values, dtype=float)[ended]
-        elif dims == ("axle", "time"):
-            values = np.asarray(one[name].transpose("axle", "time").values, dtype=float)
-            axles[name] = dict(zip(labels, values[:, ended], strict=True))
-    return MeasuredStop("simulated", np.asarray(one["time"].values)[ended], train, axles)
-
-
-def _command(stop: MeasuredStop) -> float:
-    demand = stop.train.get("brake_demand")
-    if demand is None:
-        what = "nothing says where the stops are laid together"
-        cure = "[align] brake_command = '12.3 s' or speed_crossing = '140 km/h' in the channel map"
-        raise RailgripError(Problem("align", what, cure=cure))
-    given = np.flatnonzero(demand > 0)
-    if not len(given):
-        raise RailgripError(f"the {stop.title} stop never has a brake_demand above 0")
-    return float(stop.time[given[0]])
-
-
-def _crossing(stop: MeasuredStop, speed: float) -> float:
-    """Return when the stop first falls through a speed."""
-    values = stop.train["train_speed"]
-    falls = np.flatnonzero((values[:-1] >= speed) & (values[1:] < speed))
-    if not len(falls):
-        got = f"{speed * 3.6:g} km/h"
-        allowed = f"between {values.min() * 3.6:.4g} and {values.max() * 3.6:.4g} km/h"
-        what = f"the {stop.title} stop does not fall through this speed"
-        raise RailgripError(Problem("align.speed_crossing", what, got, allowed))
-    k = int(falls[0])
-    share = (values[k] - speed) / (values[k] - values[k + 1])
-    return float(stop.time[k] + share * (stop.time[k + 1] - stop.time[k]))
 
 
 def _check_axles(measured: MeasuredStop, known: list[str]) -> None:
@@ -201,11 +158,12 @@ def _stop_rows(simulated: MeasuredStop, laid: MeasuredStop, start: float) -> lis
     after = [stop.train["train_speed"][stop.time >= start] for stop in both]
     least = max([STANDING, *(float(speed.min()) * (1 + 1e-9) for speed in after)])
     first = [float(np.interp(start, stop.time, stop.train["train_speed"])) for stop in both]
-    rows = [_row("start_speed", "Speed at the common moment", *first, "km/h", 3.6)]
+    fast = [v * 3.6 for v in first]
+    rows = [_row("start_speed", "Speed at the common moment", fast, "km/h")]
     if min(first) <= least:
         return rows
     until = "to a stand" if least == STANDING else f"down to {least * 3.6:.1f} km/h"
-    ends = [_crossing(_from(stop, start), least) for stop in both]
+    ends = [crossing_time(_from(stop, start), least) for stop in both]
     run = [
         float(np.interp(end, s.time, s.distance) - np.interp(start, s.time, s.distance))
         for s, end in zip(both, ends, strict=True)
@@ -213,23 +171,22 @@ def _stop_rows(simulated: MeasuredStop, laid: MeasuredStop, start: float) -> lis
     mean = [(v**2 - least**2) / (2 * s) for v, s in zip(first, run, strict=True)]
     return [
         *rows,
-        _row("stopping_distance", f"Distance {until}", *run, "m"),
-        _row("stopping_time", f"Time {until}", ends[0] - start, ends[1] - start, "s"),
-        _row("mean_deceleration", "Mean deceleration", *mean, "m/s²"),
+        _row("stopping_distance", f"Distance {until}", run, "m"),
+        _row("stopping_time", f"Time {until}", [end - start for end in ends], "s"),
+        _row("mean_deceleration", "Mean deceleration", mean, "m/s²"),
     ]
 
 
 def _from(stop: MeasuredStop, start: float) -> MeasuredStop:
     """Return the stop from a moment on, so that crossings before it do not count."""
     kept = stop.time >= start
-    return replace(stop, time=stop.time[kept], train={"train_speed": stop.train["train_speed"][kept]})
+    speed = stop.train["train_speed"][kept]
+    return replace(stop, time=stop.time[kept], train={"train_speed": speed})
 
 
-def _row(
-    name: str, label: str, simulated: float, measured: float, unit: str, factor: float = 1.0
-) -> Difference:
-    a, b = simulated * factor, measured * factor
-    return Difference(name, label, a, b, a - b, unit)
+def _row(name: str, label: str, both: list[float], unit: str) -> Difference:
+    simulated, measured = both
+    return Difference(name, label, simulated, measured, simulated - measured, unit)
 
 
 def _trace_rows(simulated: MeasuredStop, laid: MeasuredStop, start: float) -> list[Difference]:
@@ -258,7 +215,8 @@ def _spread(name: str, words: str, difference: Array) -> list[Difference]:
     rms = float(np.sqrt(np.mean(known**2))) * factor
     nothing = float("nan")
     words = words[0].upper() + words[1:]
+    kinds = (("greatest", greatest), ("rms", rms))
     return [
-        Difference(f"{name}_greatest", f"{words}: greatest difference", nothing, nothing, greatest, unit),
-        Difference(f"{name}_rms", f"{words}: rms difference", nothing, nothing, rms, unit),
+        Difference(f"{name}_{kind}", f"{words}: {kind} difference", nothing, nothing, value, unit)
+        for kind, value in kinds
     ]

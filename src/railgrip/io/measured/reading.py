@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import csv
-import math
 import os
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
-from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from railgrip.core.errors import Problem, RailgripError, nearest
-from railgrip.io.measured.channel_map import Channel, ChannelMap, read_channel_map
+from railgrip.core.errors import Problem, RailgripError
+from railgrip.io.measured.cells import read_cells
+from railgrip.io.measured.channel_map import ChannelMap, read_channel_map
+from railgrip.io.measured.stop import MeasuredStop
 from railgrip.scenario.files import printable
 
 if TYPE_CHECKING:
@@ -23,71 +21,6 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 MOST_BYTES = 100_000_000
-MOST_PROBLEMS = 10
-STEPPED = frozenset({"dump_valve", "is_sliding", "alarm"})
-
-
-@dataclass(frozen=True)
-class MeasuredStop:
-    """A measured stop in SI.
-
-    Parameters
-    ----------
-    title : str
-        Name in legends and tables.
-    time : array
-        Ascending, s.
-    train : dict
-        Signal name → values (time); holds at least ``train_speed``.
-    axles : dict
-        Signal name → axle label → values (time).
-    brake_command, speed_crossing : float, optional
-        Where it is laid over a simulated stop: time, s, or speed, m/s.
-    """
-
-    title: str
-    time: Array
-    train: dict[str, Array]
-    axles: dict[str, dict[str, Array]] = field(default_factory=dict)
-    brake_command: float | None = None
-    speed_crossing: float | None = None
-
-    @property
-    def distance(self) -> Array:
-        """Distance from the first sample: measured position, else the integral of the speed."""
-        if "train_position" in self.train:
-            position = self.train["train_position"]
-            return np.asarray(position - position[0])
-        speed = self.train["train_speed"]
-        pieces = np.diff(self.time) * (speed[1:] + speed[:-1]) / 2
-        return np.concatenate([[0.0], np.cumsum(pieces)])
-
-    def resampled(self, time: Array) -> MeasuredStop:
-        """Return the stop at other times, NaN where nothing was measured.
-
-        Examples
-        --------
-        >>> stop = MeasuredStop("a", np.array([0.0, 2.0]), {"train_speed": np.array([10.0, 8.0])})
-        >>> stop.resampled(np.array([1.0, 3.0])).train["train_speed"].tolist()
-        [9.0, nan]
-        """
-
-        def at(name: str, values: Array) -> Array:
-            if name in STEPPED:
-                before = np.searchsorted(self.time, time, side="right") - 1
-                inside = (time >= self.time[0]) & (time <= self.time[-1])
-                return np.where(inside, values[np.maximum(before, 0)], np.nan)
-            return np.interp(time, self.time, values, left=np.nan, right=np.nan)
-
-        return replace(
-            self,
-            time=time,
-            train={name: at(name, values) for name, values in self.train.items()},
-            axles={
-                name: {label: at(name, values) for label, values in rows.items()}
-                for name, rows in self.axles.items()
-            },
-        )
 
 
 def read_measured(
@@ -124,7 +57,7 @@ def read_measured(
             cure = "cut it to the stop, or to fewer samples per second"
             raise RailgripError(Problem(where, "is too large", got, allowed, cure))
         with Path(path).open(newline="", encoding=_encoding(wanted)) as file:
-            lines, values = _values(file, where, wanted, columns)
+            lines, values = read_cells(file, where, wanted, columns)
     except FileNotFoundError:
         raise RailgripError(Problem(where, "there is no such file")) from None
     except UnicodeError:
@@ -155,90 +88,7 @@ def _stop(wanted: ChannelMap, time: Array, values: Array) -> MeasuredStop:
         else:
             train[channel.signal] = column
     align = wanted.align
-    return MeasuredStop(
-        wanted.title, time, train, axles, align.brake_command, align.speed_crossing
-    )
-
-
-def _values(
-    file: Iterable[str], where: str, wanted: ChannelMap, columns: list[str]
-) -> tuple[list[int], Array]:
-    """Return line numbers and readings (row, column) of the wanted columns."""
-    rows = csv.reader(_counted(file, wanted.skip_lines), delimiter=wanted.delimiter)
-    header = [name.strip() for name in next(rows, [])]
-    places = _places(header, columns, where)
-    if wanted.units_line:
-        next(rows, None)
-    lines: list[int] = []
-    values: list[list[float]] = []
-    problems: list[Problem] = []
-    for row in rows:
-        if not any(cell.strip() for cell in row):
-            continue
-        line = rows.line_num + wanted.skip_lines
-        lines.append(line)
-        values.append(_numbers(row, places, columns, wanted.decimal, f"{where} line {line}", problems))
-        if len(problems) >= MOST_PROBLEMS:
-            problems = [*problems[:MOST_PROBLEMS], Problem(where, "there may be more")]
-            break
-    if problems:
-        raise RailgripError(problems)
-    if len(values) < 2:
-        raise RailgripError(Problem(where, "has too few rows", f"{len(values)}", "2 or more"))
-    return lines, np.array(values)
-
-
-def _counted(file: Iterable[str], skip: int) -> Iterator[str]:
-    return islice(iter(file), skip, None)
-
-
-def _places(header: list[str], columns: list[str], where: str) -> list[int]:
-    problems = []
-    for column in columns:
-        if header.count(column) == 1:
-            continue
-        if column in header:
-            problems.append(Problem(where, f"has more than one column '{printable(column)}'"))
-            continue
-        known = ", ".join(printable(name) for name in header[:30]) or "no column at all"
-        more = f" … ({len(header)} in all)" if len(header) > 30 else ""
-        guess = nearest(column, header[:2000])
-        hint = f"; did you mean '{printable(guess)}'?" if guess else ""
-        what = f"has no column '{printable(column)}'; known: {known}{more}{hint}"
-        cure = "another delimiter in the channel map" if len(header) == 1 else ""
-        problems.append(Problem(where, what, cure=cure))
-    if problems:
-        raise RailgripError(problems)
-    return [header.index(column) for column in columns]
-
-
-def _numbers(
-    row: list[str],
-    places: list[int],
-    columns: list[str],
-    decimal: str,
-    where: str,
-    problems: list[Problem],
-) -> list[float]:
-    found = []
-    for place, column in zip(places, columns, strict=True):
-        text = row[place].strip() if place < len(row) else ""
-        try:
-            number = float(text.replace(decimal, ".") if decimal != "." else text)
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
-            problems.append(_bad_cell(where, printable(column), text))
-        found.append(number)
-    return found
-
-
-def _bad_cell(where: str, column: str, text: str) -> Problem:
-    if not text or text.lower() in ("nan", "-nan", "null", "none"):
-        cure = "cut the file to the stop, or fill the gap"
-        return Problem(where, f"column '{column}' has a gap", f"'{printable(text)}'", cure=cure)
-    cure = 'decimal = "," in the channel map' if "," in text else ""
-    return Problem(where, f"column '{column}' is no finite number", f"'{printable(text)}'", cure=cure)
+    return MeasuredStop(wanted.title, time, train, axles, align.brake_command, align.speed_crossing)
 
 
 def _check_ascending(time: Array, lines: list[int], where: str) -> None:
@@ -248,6 +98,3 @@ def _check_ascending(time: Array, lines: list[int], where: str) -> None:
         what = "the time does not ascend"
         got = f"{time[k]:.9g} s after {time[k - 1]:.9g} s"
         raise RailgripError(Problem(f"{where} line {lines[k]}", what, got))
-
-
-__all__ = ["Channel", "MeasuredStop", "read_measured"]

@@ -30,6 +30,8 @@ from railgrip.report.view import View, dataset_of
 __all__ = ["FORMATS", "figures", "hero", "save_figure", "save_figures"]
 
 FORMATS = ("png", "svg", "pdf")
+POINTS = 1500
+"""Points of a curve: more than a picture has columns."""
 
 _PICTURES: dict[str, tuple[tuple[str, ...], Callable[[View], Figure]]] = {
     "speeds_time": (("wheel_speed",), speeds),
@@ -68,7 +70,7 @@ def figures(
         By name: ``speeds_time``, ``speeds_distance``, ``slip``, ``pressure``, ``adhesion``,
         ``rail``, ``temperature``, ``deceleration``, ``energy``, ``air``.
     """
-    view = View(dataset_of(result), run)
+    view = View(dataset_of(result), run, most=POINTS)
     drawn: dict[str, Figure] = {}
     for name, (needed, draw) in _PICTURES.items():
         if all(view.has(signal) for signal in ("train_speed", *needed)):
@@ -111,14 +113,24 @@ def save_figures(
     place.mkdir(parents=True, exist_ok=True)
     written = []
     for name, picture in figures(result, run).items():
+        _lay_out(picture)
         for wanted in formats:
             written.append(save_figure(picture, place / f"{name}.{wanted}"))
     return written
 
 
+def _lay_out(picture: Figure) -> None:
+    """Settle the layout once instead of again for each format: it takes longer than drawing."""
+    with styled():
+        engine = picture.get_layout_engine()
+        if engine is not None:
+            engine.execute(picture)
+            picture.set_layout_engine("none")
+
+
 def save_figure(picture: Figure, path: str | Path) -> Path:
     """Save one picture, byte for byte the same each time, in the format its name ends in."""
-    from railgrip.io.atomic import write_aside
+    from railgrip.core.atomic import write_aside
 
     target = Path(path)
     kind = target.suffix.lstrip(".")

@@ -53,12 +53,12 @@ def _one(axes: Axes, view: View, k: int) -> None:
 
 def _top(view: View) -> float:
     """Upper end of the axis: dry rail may not dwarf the slide."""
-    most = [float(np.nanmax(view.get("adhesion_used"), initial=0.0))]
+    most = [0.0, float(np.nanmax(np.abs(view.get("adhesion_used")), initial=0.0))]
     if view.has("adhesion_asked"):
         most.append(float(np.nanmax(view.get("adhesion_asked"), initial=0.0)))
     available: Array = view.get("adhesion_available")
     greatest = float(np.nanmax(available, initial=0.0))
-    return max(0.02, 1.1 * min(greatest, 1.6 * max(most)))
+    return max(0.02, 1.1 * max(*most, min(greatest, 1.6 * max(most))))
 
 
 def _many(view: View) -> Figure:

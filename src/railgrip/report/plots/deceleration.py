@@ -22,8 +22,15 @@ def deceleration(view: View) -> Figure:
             low, high = axes.get_ylim()
             share = view.get("brake_demand")
             axes.fill_between(
-                view.time, 0, share, transform=axes.get_xaxis_transform(), color="#999999",
-                alpha=0.12, lw=0, step="post", label="demand\n(full height: full)",
+                view.time,
+                0,
+                share,
+                transform=axes.get_xaxis_transform(),
+                color="#999999",
+                alpha=0.12,
+                lw=0,
+                step="post",
+                label="demand\n(full height: full)",
             )
             axes.set_ylim(min(low, 0.0), high)
         axes.set(xlabel="Time, s", ylabel="Deceleration, m/s²")

@@ -52,8 +52,15 @@ def _speeds(axes: Axes, view: View, k: int) -> None:
     axes.fill_between(view.time, wheel, train, color=PALETTE[4], alpha=0.3, lw=0, label="sliding")
     locked = (wheel < 0.05 * train) & (train > 1.0)
     axes.fill_between(
-        view.time, 0, 1, where=locked.tolist(), transform=axes.get_xaxis_transform(),
-        color="#B2182B", alpha=0.10, lw=0, label="locked",
+        view.time,
+        0,
+        1,
+        where=locked.tolist(),
+        transform=axes.get_xaxis_transform(),
+        color="#B2182B",
+        alpha=0.10,
+        lw=0,
+        label="locked",
     )
     axes.plot(view.time, train, color="black", lw=1.8, label="train")
     axes.plot(view.time, wheel, color=PALETTE[0], lw=1.3, label=f"wheel {view.axles[k]}")
@@ -71,4 +78,5 @@ def _pressure(axes: Axes, view: View, k: int) -> None:
 def _headline(view: View, k: int, name: str) -> str:
     locked = view.get("axle_locked_time")[k] if view.has("axle_locked_time") else np.nan
     words = "never locked" if locked == 0 else f"wheel locked for {locked:.1f} s"
-    return f"{name}: {words}"
+    distance = view.number("stopping_distance")
+    return f"{name}:\n{distance:.0f} m to the stop, {words}"

@@ -59,7 +59,7 @@ def strips(axes: Axes, view: View, valves: Array, axles: list[int]) -> None:
         norm=BoundaryNorm([-0.5, 0.5, 1.5, 2.5], 3),
     )
     if len(axles) <= 8:
-        axes.set_yticks(np.arange(len(axles)) + 0.5, [view.axles[k].split("-")[0] for k in axles])
+        axes.set_yticks(np.arange(len(axles)) + 0.5, [view.places[k] for k in axles])
     axes.tick_params(axis="y", labelsize=6.5, length=0)
     axes.grid(visible=False)
 

@@ -24,7 +24,13 @@ def rail(view: View) -> Figure:
         friction.set(ylabel="Rail friction, no unit")
         friction.set_ylim(bottom=0)
         energy.fill_between(
-            x, 0, view.get("rail_energy") / 1e3, color=PALETTE[1], alpha=0.7, lw=0, step="mid",
+            x,
+            0,
+            view.get("rail_energy") / 1e3,
+            color=PALETTE[1],
+            alpha=0.7,
+            lw=0,
+            step="mid",
             label="received",
         )
         energy.set(ylabel="Friction energy, kJ/m")

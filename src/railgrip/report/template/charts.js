@@ -14,6 +14,8 @@ const CHARTS = [
   { id: "sand", unit: "g/m", decimals: 1, rail: { rail_sand: "laid" }, floor: 0, height: 140 },
 ];
 const MANY = 24;
+const SIDE = 62; // room for the names of the axles beside their strips
+const PAGE_WIDTH = 660; // fits A4 and Letter between their margins
 
 // Everything one chart draws: [{label, values, colour, width, dash, axle}], on the axis x.
 function linesOf(chart, state) {
@@ -77,7 +79,7 @@ function axes(chart, label) {
   const one = { stroke: c.soft, font, labelFont: font, labelSize: 16, grid: { stroke: c.grid, width: 1 }, ticks: { stroke: c.grid, size: 4 } };
   return [
     { ...one, label, size: 30, values: (u, ticks) => ticks.map((t) => String(+t.toFixed(6))) },
-    { ...one, size: 46 }, // the heading names the unit; equal widths keep all charts in line
+    { ...one, size: SIDE }, // the heading names the unit; equal widths keep all charts in line
   ];
 }
 
@@ -89,7 +91,7 @@ function makeChart(chart, state, place, links) {
   const label = rail || state.over === "distance" ? "Distance from the start, m" : "Time, s";
   const bands = lines.findIndex((line) => line.top);
   const options = {
-    width: Math.max(200, place.clientWidth || 600),
+    width: printing ? PAGE_WIDTH : Math.max(200, place.clientWidth || 600),
     height: chart.valves ? 62 + state.picked.length * 16 : chart.height,
     legend: { show: false },
     scales: {
@@ -122,7 +124,7 @@ function makeChart(chart, state, place, links) {
 // Dump valves: one coloured strip for each axle instead of lines.
 function valveChart(options, state) {
   const rows = state.picked.map((axle) => data.axle.dump_valve[axle]);
-  const text = state.picked.map((axle) => data.axles[axle].split("-")[0]);
+  const text = state.picked.map((axle) => shortName(axle));
   options.series.push({ label: "valve", stroke: "transparent" });
   options.axes[1] = { ...options.axes[1], grid: { show: false }, ticks: { show: false },
     splits: () => rows.map((_, k) => k + 0.5), values: () => text };

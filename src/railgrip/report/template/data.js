@@ -56,6 +56,7 @@ function onto(at, x, y) {
 
 const data = (() => {
   const raw = JSON.parse(document.getElementById("data").textContent);
+  if (!raw.time) return null;
   const run = unpackRun(raw);
   run.ghosts = raw.ghosts.map(unpackRun);
   run.vehicle = Object.fromEntries(Object.entries(raw.vehicle).map(([k, rows]) => [k, rows.map(unpack)]));

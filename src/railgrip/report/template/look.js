@@ -1,3 +1,5 @@
+if (!data) return; // a run without traces has tables only
+
 // Colours that colour-blind readers tell apart (Okabe and Ito 2008), lighter ones for the dark.
 
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
@@ -28,6 +30,8 @@ function vehicleColour(vehicle) {
   const lightness = look() === DARK ? 70 : 40;
   return `hsl(${200 + (250 * vehicle) / data.vehicles.length} 70% ${lightness}%)`;
 }
+
+const shortName = (axle) => `${data.vehicles[data.vehicle_of[axle]]}-${data.places[axle]}`;
 
 const VALVES = ["FILL", "HOLD", "VENT"];
 

@@ -179,7 +179,7 @@ function setUp() {
       pick(all ? state.picked.filter((k) => !mine.includes(k)) : state.picked.concat(mine));
     });
     group.append(whole, ...mine.map((k) => {
-      const button = element("button", data.axles[k].split("-")[0], { type: "button", title: data.axles[k] });
+      const button = element("button", data.places[k], { type: "button", title: data.axles[k] });
       button.dataset.axle = k;
       button.addEventListener("click", () => pick(state.picked.includes(k) ? state.picked.filter((other) => other !== k) : state.picked.concat(k)));
       return button;
@@ -213,8 +213,14 @@ function setUp() {
     charts.forEach(({ made }) => made.setSize({ width: Math.max(200, now), height: made.height }));
   }).observe(document.querySelector(".charts"));
   dark.addEventListener("change", rebuild);
-  window.addEventListener("beforeprint", () => { printing = true; document.body.style.width = "680px"; rebuild(); });
-  window.addEventListener("afterprint", () => { printing = false; document.body.style.width = ""; rebuild(); });
+  const closed = [...document.querySelectorAll("main section > details")];
+  const print = (on) => {
+    printing = on;
+    closed.forEach((part) => { part.open = on; });
+    rebuild();
+  };
+  window.addEventListener("beforeprint", () => print(true));
+  window.addEventListener("afterprint", () => print(false));
 }
 
 setUp();

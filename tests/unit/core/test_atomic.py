@@ -1,7 +1,7 @@
 import pytest
 
 from railgrip.core.errors import RailgripError
-from railgrip.io.atomic import write_aside
+from railgrip.core.atomic import write_aside
 
 
 def test_takes_its_name_when_all_went_well(tmp_path):

@@ -1,0 +1,85 @@
+"""`railgrip check`: is this scenario, or this controller, in order?"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from railgrip.app.screen import print_json, print_table, working
+from railgrip.core.errors import Problem, RailgripError
+
+IN_ORDER, NOT_IN_ORDER = 0, 1
+
+
+def check(
+    file: str, /, *, as_json: Annotated[bool, Parameter(name="--json", negative="")] = False
+) -> int:
+    """Check a scenario (.toml) or a controller (.py), without running a train.
+
+    A scenario: everything that is wrong, at once, with its place (exit code 2). A controller: the
+    contract tests that every registered controller passes (exit code 1 if one fails).
+
+    Parameters
+    ----------
+    file
+        A scenario file, a shipped scenario by name, or a controller's Python file.
+    as_json
+        Print one JSON object.
+    """
+    if Path(file).suffix == ".py":
+        return _check_controller(file, as_json)
+    return _check_scenario(file, as_json)
+
+
+def _check_scenario(file: str, as_json: bool) -> int:
+    with working("reading the scenario"):
+        import railgrip
+        from railgrip.core import registry
+        from railgrip.scenario.describe import describe
+
+        scenario = railgrip.load(file)
+        registry.resolve("railgrip.laws", scenario.run.creep_law, "run.creep_law")
+        _check_protection(scenario.wsp.controller)
+    if as_json:
+        print_json({"file": file, "in_order": True, "title": scenario.title, "exit_code": IN_ORDER})
+    else:
+        print(f"{describe(scenario)}\n{file} is in order.")
+    return IN_ORDER
+
+
+def _check_protection(controller: str) -> None:
+    from railgrip.core import registry
+
+    if controller.endswith(".py"):
+        if not Path(controller).is_file():
+            raise RailgripError(Problem("wsp.controller", "no such file", got=controller))
+    elif controller != "none":
+        registry.resolve("railgrip.controllers", controller, "wsp.controller")
+
+
+def _check_controller(file: str, as_json: bool) -> int:
+    from railgrip.control.contract_checks import CONTRACT_CHECKS
+    from railgrip.control.contract_signals import ContractError
+    from railgrip.control.controller_file import load_controller_class
+
+    make = load_controller_class(file)
+    found: dict[str, tuple[bool, str]] = {}
+    for name, one in CONTRACT_CHECKS.items():
+        with working(f"checking: {name}"):
+            try:
+                found[name] = (True, one(make))
+            except ContractError as error:
+                found[name] = (False, str(error))
+    code = IN_ORDER if all(passed for passed, _ in found.values()) else NOT_IN_ORDER
+    if as_json:
+        checks = {name: {"passed": passed, "text": t} for name, (passed, t) in found.items()}
+        print_json({"file": file, "in_order": not code, "checks": checks, "exit_code": code})
+        return code
+    rows = [[name, "passed" if passed else "FAILED", t] for name, (passed, t) in found.items()]
+    print_table(f"{make.__name__} in {file}", ["check", "", ""], rows, to_the_right=False)
+    print(
+        "The controller keeps the contract." if not code else "The controller breaks the contract."
+    )
+    return code

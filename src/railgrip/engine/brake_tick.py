@@ -1,0 +1,238 @@
+"""The brake of every axle over one tick: demand → air → clamp → pad, and the dynamic brake.
+
+The brake feels the wheel only through its speed, slowly; so it advances once a tick (midpoint
+rule) and hands the wheels the force that acts in the middle of the tick. Both are of second order.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+from railgrip.brake.constant_friction import ConstantFriction, constant_friction
+from railgrip.brake.dynamic_brake import DynamicBrake, dynamic_brake_limit
+from railgrip.brake.filling import Distributor, LinearFilling, distributor_rate, linear_fill_rate
+from railgrip.brake.karwatzki_1950 import KarwatzkiParameters, karwatzki_1950
+from railgrip.brake.orifice import orifice_flow
+from railgrip.brake.piecewise_friction import PiecewiseFriction, piecewise_friction
+from railgrip.brake.rigging import hysteresis
+from railgrip.core.formulas.piecewise_linear import Hinges
+from railgrip.core.formulas.two_node_heat import DiscHeat, two_node_heat_rates
+from railgrip.engine.offsets import width
+from railgrip.engine import layout, offsets as at
+from railgrip.engine.compiler import inlined
+
+CUT_OFF = 4.0
+"""A converter cuts its torque off so many times faster than it builds it up; illustrative."""
+
+_orifice_flow = inlined(orifice_flow)
+_hysteresis = inlined(hysteresis)
+_dynamic_limit = inlined(dynamic_brake_limit)
+_linear_fill_rate = inlined(linear_fill_rate)
+_distributor_rate = inlined(distributor_rate)
+_constant = inlined(constant_friction)
+_karwatzki = inlined(karwatzki_1950)
+_piecewise = inlined(piecewise_friction)
+_heat_rates = inlined(two_node_heat_rates)
+
+
+
+@inlined
+def demand_pass(lanes: Any, S: Any, b: int, tick: float, demand_tick: Any, level: Any) -> None:
+    """Let the driver's demand reach the axle after the delay of pipe and distributor."""
+    L = width(lanes)
+    for k in range(L):
+        S[b + at.DEMAND * L + k] = 0.0
+    for i in range(demand_tick.shape[0]):
+        from_time = (float(demand_tick[i]) - 0.5) * tick
+        demanded = level[i]
+        for k in range(L):
+            since = S[b + at.HERE_TICK * L + k] * tick - S[b + at.DEMAND_DELAY * L + k]
+            before = S[b + at.DEMAND * L + k]
+            S[b + at.DEMAND * L + k] = demanded if since >= from_time else before
+
+
+@inlined
+def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
+    """Dynamic brake of one axle: it takes what it can of the demand."""
+    L = width(lanes)
+    for k in range(L):
+        brake = DynamicBrake(
+            S[b + at.DYNAMIC_MAX * L + k], S[b + at.DYNAMIC_POWER * L + k],
+            S[b + at.FADE_START * L + k], S[b + at.FADE_END * L + k],
+        )  # fmt: skip
+        speed = S[b + at.WHEEL_SPEED * L + k]
+        middle = max(1.5 * speed - 0.5 * S[b + at.SPEED_BEFORE * L + k], 0.0)
+        limit = _dynamic_limit(brake, middle)
+        asked = S[b + at.DEMAND * L + k] * S[b + at.FULL_FORCE * L + k]
+        permitted = S[b + at.DYNAMIC_SHARE * L + k] * S[b + at.HERE_DYNAMIC * L + k]
+        wanted = min(limit, asked) * permitted
+        force = S[b + at.DYNAMIC_FORCE * L + k]
+        change = S[b + at.DYNAMIC_RATE * L + k] * h
+        after = max(force - CUT_OFF * change, min(force + change, wanted))
+        S[b + at.DYNAMIC_FORCE * L + k] = after
+        # never above what the speed allows: a wheel must not be driven backwards
+        S[b + at.DYNAMIC_ACTING * L + k] = min(0.5 * (force + after), limit)
+
+
+@inlined
+def _target(L: int, S: Any, b: int, k: int) -> float:
+    """Return the pressure for what the dynamic brake leaves over."""
+    left = S[b + at.DEMAND * L + k] - S[b + at.DYNAMIC_FORCE * L + k] / S[b + at.FULL_FORCE * L + k]
+    return S[b + at.FULL_PRESSURE * L + k] * max(left, 0.0)
+
+
+@inlined
+def supply_pass(lanes: Any, S: Any, b: int, filling: float, h: float) -> None:
+    """Pressure that distributor or electro-pneumatic valve offers; the reservoir bounds it."""
+    L = width(lanes)
+    if filling == layout.FILL_LINEAR:
+        for k in range(L):
+            ramps = LinearFilling(S[b + at.FILL_RATE * L + k], S[b + at.RELEASE_RATE * L + k])
+            supply = S[b + at.SUPPLY_PRESSURE * L + k]
+            supply = supply + h * _linear_fill_rate(ramps, supply, _target(L, S, b, k), h)
+            S[b + at.SUPPLY_AFTER * L + k] = min(supply, S[b + at.RESERVOIR_PRESSURE * L + k])
+    else:
+        for k in range(L):
+            orifices = Distributor(
+                S[b + at.FILL_RATE * L + k], S[b + at.INSHOT_RATE * L + k],
+                S[b + at.INSHOT_PRESSURE * L + k], S[b + at.RELEASE_RATE * L + k],
+            )  # fmt: skip
+            supply = S[b + at.SUPPLY_PRESSURE * L + k]
+            target = _target(L, S, b, k)
+            middle = supply + 0.5 * h * _distributor_rate(orifices, supply, target)
+            supply = supply + h * _distributor_rate(orifices, middle, target)
+            S[b + at.SUPPLY_AFTER * L + k] = min(supply, S[b + at.RESERVOIR_PRESSURE * L + k])
+
+
+@inlined
+def cylinder_pass(lanes: Any, S: Any, b: int, h: float) -> None:
+    """Brake cylinder behind its dump valve, and the force on pads or blocks."""
+    L = width(lanes)
+    for k in range(L):
+        supply = S[b + at.SUPPLY_PRESSURE * L + k]
+        after = S[b + at.SUPPLY_AFTER * L + k]
+        pressure = S[b + at.CYLINDER_PRESSURE * L + k]
+        into = S[b + at.IS_FILL * L + k] * S[b + at.VALVE_FILL * L + k]
+        out = S[b + at.IS_VENT * L + k] * S[b + at.VALVE_VENT * L + k]
+        rate = into * _orifice_flow(supply, pressure) - out * _orifice_flow(pressure, 0.0)
+        middle = max(pressure + 0.5 * h * rate, 0.0)
+        offered = 0.5 * (supply + after)
+        rate = into * _orifice_flow(offered, middle) - out * _orifice_flow(middle, 0.0)
+        has_valve = S[b + at.HAS_VALVE * L + k]
+        pressure_after = has_valve * (pressure + h * rate) + (1.0 - has_valve) * after
+        pressure_after = max(pressure_after, 0.0)
+        slope = S[b + at.CLAMP_PER_PRESSURE * L + k]
+        offset = S[b + at.CLAMP_OFFSET * L + k]
+        lag = S[b + at.HYSTERESIS * L + k]
+        clamp = S[b + at.CLAMP_FORCE * L + k]
+        clamp_after = _hysteresis(clamp, max(slope * pressure_after + offset, 0.0), lag)
+        S[b + at.PRESSURE_BEFORE * L + k] = pressure
+        S[b + at.SUPPLY_PRESSURE * L + k] = after
+        S[b + at.CYLINDER_PRESSURE * L + k] = pressure_after
+        S[b + at.CLAMP_ACTING * L + k] = 0.5 * (clamp + clamp_after)
+        S[b + at.CLAMP_FORCE * L + k] = clamp_after
+
+
+@inlined
+def _pad_inputs(L: int, S: Any, b: int, k: int) -> tuple[float, float, float]:
+    """Return force per block, rubbing speed in the middle of the tick, and temperature."""
+    speed = S[b + at.WHEEL_SPEED * L + k]
+    middle = abs(1.5 * speed - 0.5 * S[b + at.SPEED_BEFORE * L + k])
+    return (
+        S[b + at.CLAMP_ACTING * L + k] * S[b + at.CLAMP_PER_BLOCK * L + k],
+        middle * S[b + at.RUBBING_RATIO * L + k],
+        S[b + at.RING_MIDDLE * L + k],
+    )
+
+
+@inlined
+def pad_pass(lanes: Any, S: Any, b: int, brake: Any) -> None:
+    """Friction of the pads by the law that this axle's pad names, and the brake force."""
+    L = width(lanes)
+    law = brake[1]
+    if law == layout.PAD_CONSTANT:
+        for k in range(L):
+            clamp, rubbing, hot = _pad_inputs(L, S, b, k)
+            S[b + at.PAD_FRICTION * L + k] = _constant(
+                ConstantFriction(brake[2]), clamp, rubbing, hot
+            )
+    elif law == layout.PAD_KARWATZKI:
+        block = KarwatzkiParameters(brake[2], brake[3], brake[4], brake[5], brake[6])
+        for k in range(L):
+            clamp, rubbing, hot = _pad_inputs(L, S, b, k)
+            S[b + at.PAD_FRICTION * L + k] = _karwatzki(block, clamp, rubbing, hot)
+    elif law == layout.PAD_PIECEWISE:
+        pad = PiecewiseFriction(
+            brake[2], _hinges(brake, 3), _hinges(brake, 12), _hinges(brake, 21)
+        )
+        for k in range(L):
+            clamp, rubbing, hot = _pad_inputs(L, S, b, k)
+            S[b + at.PAD_FRICTION * L + k] = _piecewise(pad, clamp, rubbing, hot)
+    for k in range(L):
+        S[b + at.BRAKE_LIMIT * L + k] = (
+            S[b + at.PAD_FRICTION * L + k]
+            * S[b + at.CLAMP_ACTING * L + k]
+            * S[b + at.TREAD_PER_CLAMP * L + k]
+        )
+
+
+@inlined
+def _hinges(brake: Any, i: int) -> Hinges:
+    return Hinges(
+        brake[i], brake[i + 1], brake[i + 2], brake[i + 3], brake[i + 4],
+        brake[i + 5], brake[i + 6], brake[i + 7], brake[i + 8],
+    )  # fmt: skip
+
+
+@inlined
+def heat_pass(lanes: Any, S: Any, b: int, h: float) -> None:
+    """Heat of the tick into the disc: the mean power of brake impulse and mean speed."""
+    L = width(lanes)
+    for k in range(L):
+        disc = DiscHeat(
+            S[b + at.RING_MASS * L + k], S[b + at.HUB_MASS * L + k],
+            S[b + at.CONDUCTANCE * L + k], S[b + at.DISC_SURFACE * L + k],
+            S[b + at.HEAT_SHARE * L + k], S[b + at.FILM_STILL * L + k],
+            S[b + at.FILM_WIND * L + k], S[b + at.EMISSIVITY * L + k],
+            S[b + at.AMBIENT * L + k],
+        )  # fmt: skip
+        mean_speed = 0.5 * (S[b + at.SPEED_BEFORE * L + k] + S[b + at.WHEEL_SPEED * L + k])
+        power = S[b + at.BRAKE_IMPULSE * L + k] * mean_speed / h
+        still, wind = S[b + at.FILM_STILL * L + k], S[b + at.FILM_WIND * L + k]
+        film = still + wind * S[b + at.HERE_FILM * L + k]
+        ring_rate, hub_rate = _heat_rates(
+            disc, S[b + at.RING_MIDDLE * L + k], S[b + at.HUB_MIDDLE * L + k], power, film
+        )
+        ring = S[b + at.RING_TEMPERATURE * L + k] + h * ring_rate
+        hub = S[b + at.HUB_TEMPERATURE * L + k] + h * hub_rate
+        S[b + at.RING_TEMPERATURE * L + k] = ring
+        S[b + at.HUB_TEMPERATURE * L + k] = hub
+        # where the next tick's middle will be, if it heats as this one did
+        S[b + at.RING_MIDDLE * L + k] = ring + 0.5 * h * ring_rate
+        S[b + at.HUB_MIDDLE * L + k] = hub + 0.5 * h * hub_rate
+
+
+@inlined
+def _tell_brake(lanes: Any, S: Any, b: int) -> None:
+    L = width(lanes)
+    for k in range(L):
+        S[b + at.HERE_TICK * L + k] = S[at.TICK * L + k]
+        S[b + at.HERE_FILM * L + k] = S[at.FILM * L + k]
+        S[b + at.HERE_DYNAMIC * L + k] = S[at.DYNAMIC_ALLOWED * L + k]
+
+
+@inlined
+def brake_tick(
+    lanes: Any, S: Any, n_axles: int, brakes: Any, demand_tick: Any, level: Any, h: float
+) -> None:
+    """Advance every brake by one tick."""
+    L = width(lanes)
+    for axle in range(n_axles):
+        b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
+        _tell_brake(lanes, S, b)
+        demand_pass(lanes, S, b, h, demand_tick, level)
+        dynamic_pass(lanes, S, b, h)
+        supply_pass(lanes, S, b, brakes[axle, 0], h)
+        cylinder_pass(lanes, S, b, h)
+        pad_pass(lanes, S, b, brakes[axle])
