@@ -66,6 +66,9 @@ def _value(entry: Table) -> str:
     choices = [one for one in entry.get("anyOf", entry.get("oneOf", [])) if one != {"type": "null"}]
     if choices:
         return " or ".join(dict.fromkeys(map(_choice, choices)))
+    inner = entry.get("additionalProperties")
+    if isinstance(inner, dict) and "$ref" in inner:
+        return f"name = {_value(inner)}"
     kind = entry.get("type")
     if kind == "array":
         return f"list of {_value(entry.get('items', {}))}"

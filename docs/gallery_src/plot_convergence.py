@@ -4,7 +4,7 @@ The order of the integration
 
 Each tick is integrated with one full and two half steps of a linearly implicit method, combined to
 second order: half the step, a quarter of the error. Here is the error of the stopping distance of a
-four-car unit over the step, on a dry rail, where wheels roll, and on a wet one without protection,
+train over the step, on a dry rail, where wheels roll, and on a slippery one without protection,
 where they slide and lock.
 """
 
@@ -21,7 +21,7 @@ STEPS = np.array([0.010, 0.005, 0.002, 0.001])
 def distance(condition, step):
     """Stopping distance with this step."""
     changes = {"rail.condition": condition, "run.step": float(step), "wsp.controller": "none"}
-    result = rg.simulate(rg.load("dry_emergency").with_(changes))
+    result = rg.simulate(rg.load("en14531_100").with_(changes))
     return float(result.data["stopping_distance"][0])
 
 
@@ -33,7 +33,7 @@ def errors(condition):
 
 
 figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
-for condition in ("dry", "wet"):
+for condition in ("dry", "low"):
     found = errors(condition)
     order = np.polyfit(np.log(STEPS), np.log(found), 1)[0]
     axes.loglog(1e3 * STEPS, found, "o-", label=f"{condition}, order {order:.1f}")

@@ -85,11 +85,12 @@ Table(rows)
 
 # %%
 # No train can stop faster than the friction lets it: on level rail without resistance the distance
-# is at least v²/2τg. What a stop on constant adhesion makes of it:
+# is at least v²/2τg. What a stop on constant adhesion, without sand, makes of it:
 
 scenario = rg.load("dry_emergency").with_(
     {
         "rail.condition": {"contaminated": {"static_friction": 0.08, "friction_ratio": 1.0}},
+        "train.sander.rail_friction": 0.0,
         "train.resistance": {"constant": 0.0, "linear": 0.0, "quadratic": 0.0},
     }
 )

@@ -11,7 +11,8 @@ class MyWSP:
     period = 0.01  # s
 
     def reset(self, setup):
-        return {"reference": 0.0, "valve": np.zeros(setup.n_axles), "released": np.zeros(setup.n_axles)}
+        none = np.zeros(setup.n_axles)
+        return {"reference": 0.0, "valve": none, "released": none}
 
     def step(self, state, measured, dt):
         fall = 1.5 if (state["valve"] == FILL).any() else 0.1  # all slide: the train hardly brakes
@@ -22,5 +23,5 @@ class MyWSP:
         released = np.where(valve == VENT, state["released"] + dt, 0.0)
         valve[(released > 8.0) | (reference < 1.5)] = FILL
         state.update(reference=reference, valve=valve, released=released)
-        ones = np.ones_like(valve)
-        return Command(valve, dynamic_share=ones, sanding=0 * ones, reference_speed=reference)
+        filling = np.where(valve == FILL, 1.0, 0.0)  # a sliding axle brakes without its motor
+        return Command(valve, filling, sanding=0.0 * valve, reference_speed=reference)

@@ -98,7 +98,7 @@ def check_dry_train(make: Callable[[], Controller]) -> str:
     longer = float(with_it["stopping_distance"][0]) / float(without["stopping_distance"][0]) - 1.0
     if longer > DRY_TOLERANCE:
         raise ContractError(f"a stop on dry rail became {longer:.1%} longer, allowed 2 %")
-    return f"a stop on dry rail is {abs(longer):.1%} {'longer' if longer > 0 else 'shorter'}"
+    return f"a stop on dry rail is {longer:+.1%} longer than without protection"
 
 
 def check_low_adhesion(make: Callable[[], Controller], scenario: str) -> str:

@@ -66,7 +66,7 @@ def _execute(path: Path) -> ModuleType:
     sys.modules[name] = module  # so that pickling and dataclasses of the file work
     try:
         spec.loader.exec_module(module)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise RailgripError(
             Problem(str(path), "cannot be executed", got=describe_error(error, path))
         ) from None

@@ -42,6 +42,14 @@ def hand_over(
     -----
     Two brakes that are both modulated on one axle hunt each other, so the dynamic brake goes out
     altogether; it comes back slowly when the axle has adhered for `dynamic_return_after`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from railgrip.control.conventional_parameters import ConventionalParameters
+    >>> state = np.zeros(30)
+    >>> round(hand_over(ConventionalParameters(), state, 12, True, 8e3, 1.0, 0.03), 2)
+    0.9
     """
     if wants_vent and dynamic_force > parameters[DYNAMIC_LEAST_FORCE]:
         state[base + HANDED_OVER] = 1.0

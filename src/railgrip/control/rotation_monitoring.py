@@ -87,6 +87,16 @@ def rotation_monitoring(
     The train speed is the greatest wheel speed, which may fall no faster than the greatest
     deceleration. A clock runs while an axle deviates and the train is fast enough; it runs back
     while the axle turns as it should, so an alarm ends after as long a time of good rotation.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> state, alarm = np.zeros(rotation_state_size(2)), np.zeros(2)
+    >>> measured = np.array([[30.0, 0, 0, 0, 0], [0.0, 0, 0, 0, 0]])  # the second axle stands
+    >>> for _ in range(900):
+    ...     rotation_monitoring(np.array(RotationMonitoring()), state, measured, alarm, 0.01)
+    >>> alarm.tolist()
+    [0.0, 1.0]
     """
     n_axles = measured.shape[0]
     train_speed = state[TRAIN_SPEED] - parameters[GREATEST_DECELERATION] * dt

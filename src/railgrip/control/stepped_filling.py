@@ -22,6 +22,15 @@ def step_filling(
         FILL, HOLD or VENT.
     dt : float
         Period, [s].
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from railgrip.control.conventional_parameters import ConventionalParameters
+    >>> state = np.zeros(30)
+    >>> valves = [step_filling(ConventionalParameters(), state, 12, FILL, 0.01) for _ in range(28)]
+    >>> valves.count(FILL), valves.count(HOLD)
+    (8, 20)
     """
     if wished != FILL:
         state[base + FILL_CLOCK] = 0.0

@@ -27,12 +27,9 @@ from railgrip.control.conventional_state import (
     WITNESS_CLOCK,
     axle_base,
 )
-from railgrip.control.reference_speed import (
-    advance_reference,
-    estimate_deceleration,
-    free_an_axle,
-    learn_pressure_gain,
-)
+from railgrip.control.deceleration_estimate import estimate_deceleration, learn_pressure_gain
+from railgrip.control.free_axle import free_an_axle
+from railgrip.control.reference_speed import advance_reference
 from railgrip.control.wheel_speed import read_wheel
 
 LOCKED_SHARE: Final = 0.05  # of the reference speed: the brake of a locked wheel measures nothing

@@ -214,25 +214,12 @@ def heat_pass(lanes: Any, S: Any, b: int, h: float) -> None:
 
 
 @inlined
-def _tell_brake(lanes: Any, S: Any, b: int) -> None:
-    L = width(lanes)
-    for k in range(L):
-        S[b + at.HERE_TICK * L + k] = S[at.TICK * L + k]
-        S[b + at.HERE_FILM * L + k] = S[at.FILM * L + k]
-        S[b + at.HERE_DYNAMIC * L + k] = S[at.DYNAMIC_ALLOWED * L + k]
-
-
-@inlined
-def brake_tick(
-    lanes: Any, S: Any, n_axles: int, brakes: Any, demand_tick: Any, level: Any, h: float
+def brake_pass(
+    lanes: Any, S: Any, b: int, brake: Any, demand_tick: Any, level: Any, h: float
 ) -> None:
-    """Advance every brake by one tick."""
-    L = width(lanes)
-    for axle in range(n_axles):
-        b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
-        _tell_brake(lanes, S, b)
-        demand_pass(lanes, S, b, h, demand_tick, level)
-        dynamic_pass(lanes, S, b, h)
-        supply_pass(lanes, S, b, brakes[axle, 0], h)
-        cylinder_pass(lanes, S, b, h)
-        pad_pass(lanes, S, b, brakes[axle])
+    """Advance the brake of one axle by one tick."""
+    demand_pass(lanes, S, b, h, demand_tick, level)
+    dynamic_pass(lanes, S, b, h)
+    supply_pass(lanes, S, b, brake[0], h)
+    cylinder_pass(lanes, S, b, h)
+    pad_pass(lanes, S, b, brake)

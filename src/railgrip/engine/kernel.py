@@ -23,7 +23,7 @@ from railgrip.engine.records import finish_run, record
 from railgrip.engine.sensing import driver_demand, gather, obey, sense_pass, valve_pass
 from railgrip.engine.start import begin_run
 from railgrip.engine.step import plant_step
-from railgrip.engine.tick import advance
+from railgrip.engine.tick import advance, begin_train, hand_down
 
 
 _rotation_monitoring = inlined(rotation_monitoring)
@@ -80,11 +80,11 @@ def _sense(lanes: Any, S: Any, plan: Any, moment: int) -> None:
     L = width(lanes)
     timing = plan.timing
     slot = to.SPEED_HISTORY + to.as_offset(moment & WRAP)
+    begin_train(lanes, S, timing.tick)
     for axle in range(plan.n_axles):
         b = (axle + to.AXLE_BLOCK) * to.N_VARS * L
-        for k in range(L):
-            S[b + to.HERE_TICK * L + k] = S[to.TICK * L + k]
-        sense_pass(lanes, S, b, timing.tick, timing.sensor_teeth, timing.sensor_timer, slot)
+        hand_down(lanes, S, b)
+        sense_pass(lanes, S, b, timing.tick, timing.sensor_teeth, 1.0 / timing.sensor_timer, slot)
 
 
 @inlined
@@ -181,39 +181,40 @@ def control(
 def leave_behind(L: int, S: Any, memory: Any, plan: Any) -> None:
     """Heat and sand the rail, and take the air from the reservoirs."""
     timing, way, formation = plan.timing, plan.way, plan.formation
-    energy, sand, reservoirs = memory.ring_energy, memory.ring_sand, memory.reservoirs
+    energy, sand = memory.ring_energy, memory.ring_sand
     n_axles = formation.vehicle_of_axle.shape[0]
     for k in range(L):
-        if S[at.RUN * L + k] < 0.0:
-            continue
-        heat_rail(L, S, energy, sand, n_axles, way.origin, way.cell_length, k)
-        if formation.has_sander == 1:
-            lay_sand(
-                L, S, sand, n_axles, way.cell_length, timing.tick, timing.sand_delay,
-                timing.sand_cut_out, k,
-            )  # fmt: skip
-        _take_air(L, S, reservoirs, formation, n_axles, timing.tick, k)
+        if S[at.RUN * L + k] >= 0.0:
+            heat_rail(L, S, energy, n_axles, way.origin, way.cell_length, k)
+            if formation.has_sander == 1:
+                lay_sand(
+                    L, S, sand, n_axles, way.origin, way.cell_length, timing.tick,
+                    timing.sand_delay, timing.sand_cut_out, k,
+                )  # fmt: skip
+    _take_air(L, S, memory.reservoirs, formation, n_axles, timing.tick)
 
 
 @compiled
 def _take_air(
-    L: int, S: Any, reservoirs: Any, formation: Any, n_axles: int, tick: float, k: int
+    L: int, S: Any, reservoirs: Any, formation: Any, n_axles: int, tick: float
 ) -> None:
     vehicles, volumes = formation.vehicle_of_axle, formation.reservoir_volume
     recharge, full = formation.reservoir_recharge, formation.reservoir_pressure
     for vehicle in range(volumes.shape[0]):
         gain = recharge[vehicle] * tick * NORMAL_PRESSURE / volumes[vehicle]
-        slot = vehicle * L + k
-        reservoirs[slot] = min(reservoirs[slot] + gain, full[vehicle])
+        for k in range(L):
+            slot = vehicle * L + k
+            reservoirs[slot] = min(reservoirs[slot] + gain, full[vehicle])
     for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L + k
-        rise = S[b + at.CYLINDER_PRESSURE * L] - S[b + at.PRESSURE_BEFORE * L]
-        slot = vehicles[axle] * L + k
-        if rise > 0.0:
-            volume = rise * S[b + at.CYLINDER_VOLUME * L]
-            S[b + at.AIR_USED * L] += volume / NORMAL_PRESSURE
-            reservoirs[slot] -= volume / volumes[vehicles[axle]]
-        S[b + at.RESERVOIR_PRESSURE * L] = reservoirs[slot]
+        b = (1 + axle) * at.N_VARS * L
+        first = vehicles[axle] * L
+        per_volume = 1.0 / volumes[vehicles[axle]]
+        for k in range(L):
+            rise = S[b + at.CYLINDER_PRESSURE * L + k] - S[b + at.PRESSURE_BEFORE * L + k]
+            volume = max(rise, 0.0) * S[b + at.CYLINDER_VOLUME * L + k]
+            S[b + at.AIR_USED * L + k] += volume / NORMAL_PRESSURE
+            reservoirs[first + k] -= volume * per_volume
+            S[b + at.RESERVOIR_PRESSURE * L + k] = reservoirs[first + k]
 
 
 @compiled

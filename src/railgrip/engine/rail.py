@@ -143,14 +143,14 @@ def rail_pass(lanes: Any, S: Any, b: int, origin: float, per_metre: float, ahead
             S[b + (to.FOUND_FRICTION + i) * L + k] = found
             S[b + (to.RAIL_FRICTION + i) * L + k] = clean + left * (found - clean)
         # Hertz: the patch and with it Kalker's slope grow with load^(2/3)
-        S[b + to.SLOPE * L + k] = S[b + to.KALKER_SLOPE * L + k] * _power_2_3(
-            S[b + to.HERE_LOAD * L + k] / S[b + to.STATIC_LOAD * L + k]
-        )
+        gain = S[b + to.LOAD_TRANSFER * L + k] * S[b + to.HERE_PITCH * L + k]
+        load = 1.0 + gain / S[b + to.STATIC_LOAD * L + k]
+        S[b + to.SLOPE * L + k] = S[b + to.KALKER_SLOPE * L + k] * _power_2_3(load)
 
 
 @compiled
 def heat_rail(
-    L: int, S: Any, energy: Any, sand: Any, n_axles: int, origin: float, cell_length: float, k: int
+    L: int, S: Any, energy: Any, n_axles: int, origin: float, cell_length: float, k: int
 ) -> None:
     """Give the friction energy of a tick to the cells that each axle passed, by length."""
     mask = energy.shape[0] // L - 1
@@ -174,19 +174,30 @@ def heat_rail(
 
 @compiled
 def lay_sand(
-    L: int, S: Any, sand: Any, n_axles: int, cell_length: float, tick: float, delay: float,
-    least_speed: float, k: int,
+    L: int, S: Any, sand: Any, n_axles: int, origin: float, cell_length: float, tick: float,
+    delay: float, least_speed: float, k: int,
 ) -> None:  # fmt: skip
-    """Lay the axles' sand on the cell in front of each wheel, after the sander's delay."""
+    """Lay the axles' sand in front of each wheel, by length, after the sander's delay.
+
+    In front means two cells ahead: the wheel itself then finds it when it gets there.
+    """
     mask = sand.shape[0] // L - 1
-    if S[at.TRAIN_SPEED * L + k] <= least_speed:
+    per_metre = 1.0 / cell_length
+    moved = (S[at.POSITION * L + k] - S[at.POSITION_BEFORE * L + k]) * per_metre
+    if S[at.TRAIN_SPEED * L + k] <= least_speed or moved <= 0.0:
         return
     for axle in range(n_axles):
         b = (1 + axle) * at.N_VARS * L
         flow = S[b + at.SANDER_FLOW * L + k]
         if flow > 0.0 and S[b + at.SAND_TIME * L + k] * tick > delay:
-            cell = int(S[b + at.CELL * L + k]) + 2
-            sand[(cell & mask) * L + k] += flow * tick / cell_length
+            place = S[at.POSITION * L + k] - S[b + at.OFFSET * L + k] - origin
+            last = place * per_metre + 2.0
+            first = last - moved
+            cell = int(math.floor(first))
+            within = min((float(cell + 1) - first) / moved, 1.0)
+            laid = flow * tick * per_metre
+            sand[(cell & mask) * L + k] += within * laid
+            sand[((cell + 1) & mask) * L + k] += (1.0 - within) * laid
 
 
 @compiled

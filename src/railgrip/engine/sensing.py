@@ -17,7 +17,9 @@ SILENCE = 0.5
 
 
 @inlined
-def sense_pass(lanes: Any, S: Any, b: int, tick: float, teeth: float, timer: float, slot: int) -> None:
+def sense_pass(
+    lanes: Any, S: Any, b: int, tick: float, teeth: float, per_timer: float, slot: int
+) -> None:
     """Measure each wheel's speed from the edges of its pole wheel, as a speed card does.
 
     Whole teeth over the time between the last edges seen; between edges a speed can only be
@@ -25,6 +27,7 @@ def sense_pass(lanes: Any, S: Any, b: int, tick: float, teeth: float, timer: flo
     """
     L = width(lanes)
     per_tooth = 2.0 * math.pi / teeth
+    timer = 1.0 / per_timer
     for k in range(L):
         pitch = per_tooth * S[b + to.WHEEL_RADIUS * L + k]
         now = S[b + to.HERE_TICK * L + k] * tick
@@ -32,13 +35,14 @@ def sense_pass(lanes: Any, S: Any, b: int, tick: float, teeth: float, timer: flo
         edges = math.floor(place)
         speed = max(abs(S[b + to.WHEEL_SPEED * L + k]), 1e-6)
         edge_time = now - min((place - edges) * pitch / speed, tick)
-        edge_time = math.floor(edge_time / timer + 0.5) * timer
+        edge_time = math.floor(edge_time * per_timer + 0.5) * timer
         seen = edges - S[b + to.PULSES * L + k]
         last_time = S[b + to.EDGE_TIME * L + k]
-        believed = pitch * S[b + to.BELIEVED_RATIO * L + k]
-        counted = seen * believed / max(edge_time - last_time, timer)
         waited = now - last_time
-        at_most = min(S[b + to.MEASURED_SPEED * L + k], believed / max(waited, timer))
+        counted = max(seen, 1.0) * pitch * S[b + to.BELIEVED_RATIO * L + k]
+        over = edge_time - last_time if seen > 0.0 else waited
+        counted = counted / max(over, timer)
+        at_most = min(S[b + to.MEASURED_SPEED * L + k], counted)
         at_most = 0.0 if waited > SILENCE else at_most
         measured = counted if seen > 0.0 else at_most
         S[b + to.EDGE_TIME * L + k] = edge_time if seen > 0.0 else last_time

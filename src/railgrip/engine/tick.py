@@ -1,9 +1,7 @@
-"""One tick of all lanes: brake and rail, a whole step, two half steps, extrapolate, account.
+"""One tick of all lanes: brake and rail, wheels and train, and the account of it.
 
-Richardson's extrapolation of the linearly implicit Euler step (2 × two halves − one whole) is of
-second order at the tick. It is linear in the states, so momentum and energy stay exact:
-with the mean speeds of the tick, force impulse × speed is exactly the work that each term took.
-What changes slowly (brake, rail, line) enters as it is in the middle of the tick.
+What changes slowly (brake, rail, line) enters as it is in the middle of the tick. With the mean
+speeds of the tick, force impulse × speed is exactly the work that each term took.
 """
 
 from __future__ import annotations
@@ -15,7 +13,7 @@ from railgrip.brake.track_brake import TrackBrake, track_brake_force
 from railgrip.core.formulas.elementary import power_0_8
 from railgrip.engine.offsets import width
 from railgrip.engine import offsets as at
-from railgrip.engine.brake_tick import brake_tick, heat_pass
+from railgrip.engine.brake_tick import brake_pass, heat_pass
 from railgrip.engine.compiler import inlined
 from railgrip.engine.rail import rail_pass
 
@@ -38,38 +36,23 @@ BUILT_UP = 0.99
 
 
 @inlined
-def _copy(lanes: Any, S: Any, n_axles: int, source: int, target: int) -> None:
+def begin_train(lanes: Any, S: Any, h: float) -> None:
+    """Clear the tick's impulses, and work out what every axle needs of the train."""
     L = width(lanes)
-    for i in range(at.N_TRAIN_STATES * L):
-        S[target * L + i] = S[source * L + i]
-    for axle in range(n_axles):
-        b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
-        for i in range(at.N_STATES * L):
-            S[b + target * L + i] = S[b + source * L + i]
-
-
-@inlined
-def _extrapolate(lanes: Any, S: Any, n_axles: int) -> None:
-    L = width(lanes)
-    for i in range(at.N_TRAIN_STATES * L):
-        S[i] = 2.0 * S[i] - S[at.FULL_STEP * L + i]
-    for axle in range(n_axles):
-        b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
-        for i in range(at.N_STATES * L):
-            S[b + i] = 2.0 * S[b + i] - S[b + at.FULL_STEP * L + i]
-
-
-@inlined
-def _begin(L: int, S: Any, n_axles: int, h: float) -> None:
-    """Clear the tick's impulses, and work out what acts on the whole train."""
     for k in range(L):
         speed = S[at.TRAIN_SPEED * L + k]
+        middle = max(speed - 0.5 * h * S[at.LAST_DECELERATION * L + k], 0.0)
+        S[at.HERE_SPEED * L + k] = speed
+        S[at.HERE_PITCH * L + k] = S[at.PITCH_DECELERATION * L + k]
+        S[at.HERE_TICK * L + k] = S[at.TICK * L + k]
+        S[at.HERE_FILM * L + k] = _power_0_8(middle)
+        S[at.HERE_DYNAMIC * L + k] = S[at.DYNAMIC_ALLOWED * L + k]
+        S[at.HERE_POSITION * L + k] = S[at.POSITION * L + k]
+        S[at.HERE_DEMAND * L + k] = S[at.FIRST_DEMAND * L + k]
         S[at.SPEED_BEFORE_TICK * L + k] = speed
         S[at.POSITION_BEFORE * L + k] = S[at.POSITION * L + k]
         S[at.RESISTANCE_IMPULSE * L + k] = 0.0
         S[at.TRACK_BRAKE_IMPULSE * L + k] = 0.0
-        middle = max(speed - 0.5 * h * S[at.LAST_DECELERATION * L + k], 0.0)
-        S[at.FILM * L + k] = _power_0_8(middle)
         magnet = TrackBrake(
             S[at.TRACK_BRAKE_ATTRACTION * L + k], S[at.TRACK_BRAKE_FRICTION * L + k],
             S[at.TRACK_BRAKE_FALL * L + k], S[at.TRACK_BRAKE_RELEASE * L + k],
@@ -81,23 +64,29 @@ def _begin(L: int, S: Any, n_axles: int, h: float) -> None:
 
 
 @inlined
-def _begin_axle(lanes: Any, S: Any, b: int) -> None:
+def hand_down(lanes: Any, S: Any, b: int) -> None:
+    """Take from the block in front what concerns the whole train in this tick."""
     L = width(lanes)
+    front = b - at.N_VARS * L
+    for i in range(at.HERE_TICK, at.HERE_MEAN):
+        for k in range(L):
+            S[b + i * L + k] = S[front + i * L + k]
     for k in range(L):
-        S[b + at.HERE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
-        S[b + at.HERE_POSITION * L + k] = S[at.POSITION * L + k]
-        gain = S[b + at.LOAD_TRANSFER * L + k] * S[at.PITCH_DECELERATION * L + k]
-        S[b + at.HERE_LOAD * L + k] = S[b + at.STATIC_LOAD * L + k] + gain
-    for k in range(L):
-        S[b + at.CONTACT_IMPULSE * L + k] = 0.0
-        S[b + at.BRAKE_IMPULSE * L + k] = 0.0
+        speed = S[front + at.HERE_SPEED * L + k]
+        pitch = S[front + at.HERE_PITCH * L + k]
+        S[b + at.HERE_SPEED * L + k] = speed
+        S[b + at.HERE_PITCH * L + k] = pitch
+        S[b + at.HERE_DEMAND * L + k] = S[front + at.HERE_DEMAND * L + k]
 
 
 @inlined
-def _remember_speed(lanes: Any, S: Any, b: int) -> None:
+def _remember(lanes: Any, S: Any, b: int) -> None:
+    """Keep the wheel speed of the tick's start, and clear the axle's impulses."""
     L = width(lanes)
     for k in range(L):
         S[b + at.SPEED_BEFORE * L + k] = S[b + at.WHEEL_SPEED * L + k]
+        S[b + at.CONTACT_IMPULSE * L + k] = 0.0
+        S[b + at.BRAKE_IMPULSE * L + k] = 0.0
 
 
 @inlined
@@ -107,20 +96,13 @@ def advance(
 ) -> None:  # fmt: skip
     """Advance every lane by one tick, to second order, and account for it."""
     L = width(lanes)
-    _begin(L, S, n_axles, h)
-    brake_tick(lanes, S, n_axles, brakes, demand_tick, demand_level, h)
+    L = width(lanes)
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
-        _begin_axle(lanes, S, b)
+        brake_pass(lanes, S, b, brakes[axle], demand_tick, demand_level, h)
         rail_pass(lanes, S, b, origin, per_metre, 0.5 * h)
-        _remember_speed(lanes, S, b)
-    _copy(lanes, S, n_axles, at.CURRENT, at.SAVED)
+        _remember(lanes, S, b)
     step(S, n_axles, creep_law, custom, h)
-    _copy(lanes, S, n_axles, at.CURRENT, at.FULL_STEP)
-    _copy(lanes, S, n_axles, at.SAVED, at.CURRENT)
-    step(S, n_axles, creep_law, custom, 0.5 * h)
-    step(S, n_axles, creep_law, custom, 0.5 * h)
-    _extrapolate(lanes, S, n_axles)
     _account(lanes, S, n_axles, h)
 
 
@@ -129,32 +111,27 @@ def _account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
     """Sum up what the tick did, each term from its own force and speed."""
     L = width(lanes)
     for k in range(L):
-        mean = 0.5 * (S[at.SPEED_BEFORE_TICK * L + k] + S[at.TRAIN_SPEED * L + k])
-        S[at.MEAN_SPEED * L + k] = mean
+        after = S[at.TRAIN_SPEED * L + k]
+        mean = 0.5 * (S[at.SPEED_BEFORE_TICK * L + k] + after)
+        S[at.HERE_SPEED * L + k] = after
+        S[at.HERE_MEAN * L + k] = mean
         S[at.RESISTANCE_ENERGY * L + k] += S[at.RESISTANCE_IMPULSE * L + k] * mean
         S[at.GRADIENT_ENERGY * L + k] += h * S[at.GRADIENT_FORCE * L + k] * mean
         S[at.TRACK_BRAKE_ENERGY * L + k] += S[at.TRACK_BRAKE_IMPULSE * L + k] * mean
         S[at.POSITION * L + k] += h * mean
-        S[at.SLOW_AXLES * L + k] = 0.0
+        S[at.FORCE_SO_FAR * L + k] = 0.0
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
-        for k in range(L):
-            S[b + at.HERE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
-            S[b + at.HERE_MEAN * L + k] = S[at.MEAN_SPEED * L + k]
-            S[b + at.HERE_DEMAND * L + k] = S[at.FIRST_DEMAND * L + k]
         _account_energy(lanes, S, b, h)
         heat_pass(lanes, S, b, h)
         _account_slide(lanes, S, b, h)
         _account_build_up(lanes, S, b, h)
-        for k in range(L):
-            is_slow = S[b + at.WHEEL_SPEED * L + k] < 0.9 * S[b + at.HERE_SPEED * L + k]
-            S[b + at.IS_SLOW * L + k] = 1.0 if is_slow else 0.0
-        for k in range(L):
-            S[at.SLOW_AXLES * L + k] += S[b + at.IS_SLOW * L + k]
+    last = n_axles * at.N_VARS * L
     for k in range(L):
         time = h if S[at.TRAIN_SPEED * L + k] > ACTIVITY_SPEED else 0.0
         S[at.ACTIVE_TIME * L + k] += time
-        half = 2.0 * S[at.SLOW_AXLES * L + k] >= float(n_axles)
+        # the slow axles have been counted down the train in place of forces
+        half = 2.0 * S[last + at.FORCE_SO_FAR * L + k] >= float(n_axles)
         S[at.SLIDE_ACTIVE * L + k] += time if half else 0.0
         lost = S[at.SPEED_BEFORE_TICK * L + k] - S[at.TRAIN_SPEED * L + k]
         S[at.LAST_DECELERATION * L + k] = lost / h
@@ -164,8 +141,10 @@ def _account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
 @inlined
 def _account_energy(lanes: Any, S: Any, b: int, h: float) -> None:
     L = width(lanes)
+    front = b - at.N_VARS * L
     for k in range(L):
-        mean = S[b + at.HERE_MEAN * L + k]
+        mean = S[front + at.HERE_MEAN * L + k]
+        S[b + at.HERE_MEAN * L + k] = mean
         wheel_mean = 0.5 * (S[b + at.SPEED_BEFORE * L + k] + S[b + at.WHEEL_SPEED * L + k])
         given = S[b + at.CONTACT_IMPULSE * L + k] * (wheel_mean - mean)
         S[b + at.ROLLED * L + k] += h * abs(wheel_mean)
@@ -179,9 +158,13 @@ def _account_energy(lanes: Any, S: Any, b: int, h: float) -> None:
 @inlined
 def _account_slide(lanes: Any, S: Any, b: int, h: float) -> None:
     L = width(lanes)
+    front = b - at.N_VARS * L
     for k in range(L):
-        train_speed = S[b + at.HERE_SPEED * L + k]
+        train_speed = S[front + at.HERE_SPEED * L + k]
+        S[b + at.HERE_SPEED * L + k] = train_speed
         wheel_speed = S[b + at.WHEEL_SPEED * L + k]
+        slow = 1.0 if wheel_speed < 0.9 * train_speed else 0.0
+        S[b + at.FORCE_SO_FAR * L + k] = S[front + at.FORCE_SO_FAR * L + k] + slow
         is_locked = wheel_speed < LOCKED * train_speed and train_speed > ROLLING
         lock_now = S[b + at.LOCK_NOW * L + k] + h if is_locked else 0.0
         S[b + at.LOCK_NOW * L + k] = lock_now

@@ -27,7 +27,7 @@ CELL = 1.0
 
 
 class Rail(NamedTuple):
-    """Contaminated and clean friction, fall with slip speed, creep reductions, cleaning, patches."""
+    """Friction (contaminated, clean), its fall with slip speed, creep reductions, patches."""
 
     friction: float = 0.05
     ratio: float = 0.4
@@ -41,7 +41,7 @@ class Rail(NamedTuple):
 
 
 LEAVES = Rail()
-DETERGENT = Rail(friction=0.06, adhesion_reduction=0.3, slip_reduction=0.1, cleaning=1.9e-4)
+DETERGENT = Rail(friction=0.06, cleaning=1.9e-4)
 DRY = Rail(friction=0.3)
 
 
@@ -108,7 +108,7 @@ def make_plant(kernel: Any, initial: Any) -> Any:
     """Return the plant compiled around one controller."""
 
     @numba.njit
-    def run(rail, train, parameters, setup, state, speed, limit, demand, wheels, pressures,
+    def run(rail, train, parameters, setup, state, speed, is_held, demand, wheels, pressures,
             valves, trace, shares, sands, alarms, rail_energy):  # fmt: skip
         (friction0, ratio, decay, k_a0, k_s0, clean, cleaning, patch, patch_friction) = rail
         (_, mass, rotating, full, dead, build_up, dynamic, fade, wheel_error, lost, lost_reading,
@@ -194,7 +194,9 @@ def make_plant(kernel: Any, initial: Any) -> Any:
                     wanted_dynamic = 0.0
                     if dynamic > 0.0 and setup[i, contract.MOTORED] > 0.0:
                         ramp = min(1.0, max(0.0, (speed - 1.0) / fade))
-                        wanted_dynamic = dynamic * supply * ramp * command[i, contract.DYNAMIC_SHARE]
+                        wanted_dynamic = (
+                            dynamic * supply * ramp * command[i, contract.DYNAMIC_SHARE]
+                        )
                         wants = max(0.0, wants - dyn[i] / force_full * FULL_PRESSURE)
                     dyn[i] += STEP / 0.1 * (wanted_dynamic - dyn[i])
                     if vent_since[i] > 0.05:
@@ -213,8 +215,8 @@ def make_plant(kernel: Any, initial: Any) -> Any:
                         entry_energy[i] = rail_energy[cell]
                     blend = 1 - math.exp(-cleaning * entry_energy[i])
                     friction = friction0 + (clean - friction0) * blend
-                    k_a = k_a0 + (1 - k_a0) * blend
-                    k_s = k_s0 + (0.4 - k_s0) * blend
+                    k_a = k_a0 + (0.3 - k_a0) * blend
+                    k_s = k_s0 + (0.1 - k_s0) * blend
                     if patch > 0.0 and int(here / patch) % 2 == 1:
                         friction = patch_friction
                     slip = speed - wheel[i]
@@ -233,7 +235,7 @@ def make_plant(kernel: Any, initial: Any) -> Any:
                     total += contact
                 drag = resistance + quadratic * speed * speed
                 deceleration = (total + drag) / (n * mass) + gradient * GRAVITY
-                if limit <= 0.0:  # a drag brake holds the speed
+                if is_held == 0.0:  # else the brake drags on a gradient that holds the speed
                     speed -= STEP * deceleration
                 position += STEP * speed
                 if speed <= 0.0:
@@ -287,5 +289,5 @@ def stop(
 def plant() -> Any:
     """The test train: plant.stop(controller, plant.LEAVES) and its words."""
     return types.SimpleNamespace(
-        stop=stop, Train=Train, Rail=Rail, LEAVES=LEAVES, DETERGENT=DETERGENT, DRY=DRY
+        stop=stop, compiled=compiled, Train=Train, LEAVES=LEAVES, DETERGENT=DETERGENT, DRY=DRY
     )

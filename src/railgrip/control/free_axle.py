@@ -1,0 +1,60 @@
+"""One axle is let run free now and then, so that it shows the train's speed.
+
+Dead reckoning drifts. While enough axles turn at the reference speed it is trusted; while none
+does, the possible error grows with time, and beyond a share of the slip band the fastest axle is
+released until it turns with the train.
+"""
+
+from __future__ import annotations
+
+from railgrip.control.contract import FloatArray
+from railgrip.control.conventional_parameters import (
+    DRIFT_FLOOR,
+    DRIFT_RATE,
+    DRIFT_SHARE,
+    FREE_LONGEST,
+    INHIBIT_SPEED,
+    SLIP_LOWER,
+)
+from railgrip.control.conventional_state import DRIFT, FREED_AXLE, FREED_TIME, REFERENCE
+
+
+def free_an_axle(
+    parameters: FloatArray,
+    state: FloatArray,
+    candidate: int,
+    is_witnessed: bool,
+    dt: float,
+) -> None:
+    """Decide which axle, if any, runs free to show the train's speed.
+
+    Parameters
+    ----------
+    parameters, state : ndarray
+        As in the controller contract.
+    candidate : int
+        The fastest axle that can be released; -1 for none.
+    is_witnessed : bool
+        Whether enough axles adhere for the reference speed to be trusted.
+    dt : float
+        Period, [s].
+    """
+    reference = state[REFERENCE]
+    if is_witnessed:
+        state[DRIFT] = 0.0
+    else:
+        state[DRIFT] += parameters[DRIFT_RATE] * dt
+    if state[FREED_AXLE] > 0.0:
+        state[FREED_TIME] += dt
+        # A sight resets the drift, so does adhesion come back.
+        is_over = state[DRIFT] <= 0.0 or state[FREED_TIME] > parameters[FREE_LONGEST]
+        if is_over or reference < parameters[INHIBIT_SPEED]:
+            state[FREED_AXLE] = 0.0
+            state[DRIFT] = 0.0
+        return
+    trusted = max(
+        parameters[DRIFT_FLOOR], parameters[DRIFT_SHARE] * parameters[SLIP_LOWER] * reference
+    )
+    if state[DRIFT] > trusted and candidate >= 0 and reference > parameters[INHIBIT_SPEED]:
+        state[FREED_AXLE] = 1.0 + candidate
+        state[FREED_TIME] = 0.0

@@ -1,0 +1,42 @@
+"""The two forms of the contract say the same."""
+
+import numpy as np
+
+from railgrip.control import contract as ctl
+from railgrip.control.conventional_wsp import ConventionalWSP
+from railgrip.control.no_protection import NoProtection
+
+
+def test_columns_are_a_complete_numbering():
+    measured = {
+        ctl.WHEEL_SPEED, ctl.CYLINDER_PRESSURE, ctl.DYNAMIC_FORCE, ctl.BRAKE_DEMAND, ctl.EMERGENCY,
+    }  # fmt: skip
+    command = {
+        ctl.DUMP_VALVE, ctl.DYNAMIC_SHARE, ctl.SANDING, ctl.REFERENCE_SPEED, ctl.IS_SLIDING,
+        ctl.ALARM,
+    }  # fmt: skip
+    assert measured == set(range(ctl.N_MEASURED))
+    assert command == set(range(ctl.N_COMMAND))
+    assert {ctl.BELIEVED_RADIUS, ctl.MOTORED, ctl.BRAKED} == set(range(ctl.N_SETUP))
+
+
+def test_setup_and_measured_reach_their_columns():
+    setup = ctl.Setup(
+        2, 0.01, np.array([0.46, 0.45]), np.array([True, False]), np.array([False, True])
+    )
+    assert ctl.setup_array(setup).tolist() == [[0.46, 1.0, 0.0], [0.45, 0.0, 1.0]]
+    measured = ctl.Measured(np.array([20.0, 19.0]), np.array([1e5, 2e5]), np.zeros(2), 0.5, 1.0)
+    assert ctl.measured_array(measured)[1].tolist() == [19.0, 2e5, 0.0, 0.5, 1.0]
+
+
+def test_command_from_array_is_a_copy():
+    array = ctl.command_array(3)
+    command = ctl.command_from_array(array)
+    array[:, ctl.DUMP_VALVE] = ctl.VENT
+    assert command.dump_valve.tolist() == [0.0, 0.0, 0.0]
+    assert command.dynamic_share.tolist() == [1.0, 1.0, 1.0]
+
+
+def test_shipped_controllers_have_the_shape_of_the_contract():
+    for controller in (ConventionalWSP(), NoProtection()):
+        assert isinstance(controller, ctl.CompiledController)
