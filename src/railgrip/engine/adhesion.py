@@ -9,31 +9,26 @@ import numpy as np
 
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.core import registry
-from railgrip.core.formulas.elementary import power_2_3
 from railgrip.engine import layout as at
 from railgrip.engine.compiler import inlined
 from railgrip.engine.plan import FloatArray, Plan
 from railgrip.scenario.scenario import Scenario
 
-CREEPAGES = np.concatenate([np.geomspace(1e-4, 1.0, 60)])
-"""Creepages at which the curve is sampled: within 0.3 % of the peak of Polach's curves."""
+CREEPAGES = np.geomspace(1e-4, 1.0, 48)
+"""Creepages at which the curve is sampled: within 0.5 % of the peak of Polach's curves."""
 
-_power_2_3 = inlined(power_2_3)
-
-
-@numba.njit(error_model="numpy")
+@numba.njit(error_model="numpy", _nrt=False)
 def _peaks(
-    law: Any, rail: Any, load: Any, static_load: Any, slope: Any, speed: Any, creepages: Any
-) -> Any:
-    found = np.empty(load.shape[0])
-    for i in range(load.shape[0]):
-        state = RailFriction(rail[i, 0], rail[i, 1], rail[i, 2], rail[i, 3], rail[i, 4])
-        steep = slope[i] * _power_2_3(load[i] / static_load[i])
-        best = 0.0
-        for creepage in creepages:
-            best = max(best, law(state, load[i], steep, creepage * speed[i], creepage))
-        found[i] = best / load[i]
-    return found
+    law: Any, mu: Any, ratio: Any, decay: Any, stick: Any, slip: Any,
+    load: Any, slope: Any, speed: Any, creepages: Any, peak: Any,
+) -> None:  # fmt: skip
+    n = np.uint64(load.shape[0])
+    for j in range(creepages.shape[0]):
+        creepage = creepages[j]
+        for i in range(n):
+            rail = RailFriction(mu[i], ratio[i], decay[i], stick[i], slip[i])
+            force = law(rail, load[i], slope[i], creepage * speed[i], creepage)
+            peak[i] = max(peak[i], force / load[i])
 
 
 def available_adhesion(
@@ -47,16 +42,18 @@ def available_adhesion(
     shape = of_axle["wheel_load"].shape
 
     def per_axle(offset: int) -> FloatArray:
-        column = plan.parameters[1:, offset - at.FIRST_PARAMETER]
-        spread: FloatArray = np.ascontiguousarray(np.broadcast_to(column[None, :, None], shape))
-        return spread.ravel()
+        column: FloatArray = plan.parameters[1:, offset - at.FIRST_PARAMETER]
+        return column[None, :, None]
 
+    load = of_axle["wheel_load"].ravel()
+    relative = (of_axle["wheel_load"] / per_axle(at.STATIC_LOAD)).ravel() ** (2 / 3)
+    slope = relative * np.broadcast_to(per_axle(at.KALKER_SLOPE), shape).ravel()
     names = (
         "rail_friction", "friction_ratio", "friction_decay", "adhesion_reduction", "slip_reduction",
     )  # fmt: skip
-    rail = np.stack([of_axle[name].ravel() for name in names], axis=1)
-    peaks: FloatArray = _peaks(
-        law, rail, of_axle["wheel_load"].ravel(), per_axle(at.STATIC_LOAD),
-        per_axle(at.KALKER_SLOPE), np.broadcast_to(speed, shape).ravel(), CREEPAGES,
-    )  # fmt: skip
-    return peaks.reshape(shape)
+    state = [np.ascontiguousarray(of_axle[name].ravel()) for name in names]
+    speeds = np.ascontiguousarray(np.broadcast_to(speed, shape)).ravel()
+    peak = np.zeros_like(load)
+    _peaks(law, *state, load, slope, speeds, CREEPAGES, peak)
+    peak[np.isnan(load)] = np.nan
+    return peak.reshape(shape)

@@ -23,7 +23,7 @@ from railgrip.engine.records import finish_run, record
 from railgrip.engine.sensing import driver_demand, gather, obey, sense_pass, valve_pass
 from railgrip.engine.start import begin_run
 from railgrip.engine.step import plant_step
-from railgrip.engine.tick import advance, begin_train, hand_down
+from railgrip.engine.tick import account, begin_train, hand_down, prepare_axle
 
 
 _rotation_monitoring = inlined(rotation_monitoring)
@@ -55,24 +55,31 @@ def step_single(S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> 
 
 
 @inlined
-def _advance(lanes: Any, S: Any, plan: Any, custom: Any, step: Any) -> None:
-    timing, formation = plan.timing, plan.formation
-    advance(
-        lanes, S, plan.n_axles, formation.brakes, timing.demand_tick, timing.demand_level,
-        plan.way.origin, 1.0 / plan.way.cell_length, timing.tick, plan.creep_law, custom, step,
-    )  # fmt: skip
+def _advance(lanes: Any, S: Any, plan: Any, custom: Any, step: Any, moment: int) -> None:
+    timing, way = plan.timing, plan.way
+    vent = to.VALVE_HISTORY + to.as_offset((moment - timing.vent_delay) & WRAP)
+    fill = to.VALVE_HISTORY + to.as_offset((moment - timing.fill_delay) & WRAP)
+    for axle in range(plan.n_axles):
+        b = (axle + to.AXLE_BLOCK) * to.N_VARS * width(lanes)
+        valve_pass(lanes, S, b, vent, fill)
+        prepare_axle(
+            lanes, S, b, plan.formation.brakes[axle], timing.demand_tick, timing.demand_level,
+            way.origin, 1.0 / way.cell_length, timing.tick,
+        )  # fmt: skip
+    step(S, plan.n_axles, plan.creep_law, custom, timing.tick)
+    account(lanes, S, plan.n_axles, timing.tick)
 
 
 @entry
-def advance_lanes(S: Any, plan: Any, custom: Any) -> None:
+def advance_lanes(S: Any, plan: Any, custom: Any, moment: int) -> None:
     """One tick of sixteen lanes."""
-    _advance(to.SIXTEEN_LANES, S, plan, custom, step_lanes)
+    _advance(to.SIXTEEN_LANES, S, plan, custom, step_lanes, moment)
 
 
 @entry
-def advance_single(S: Any, plan: Any, custom: Any) -> None:
+def advance_single(S: Any, plan: Any, custom: Any, moment: int) -> None:
     """One tick of a single run."""
-    _advance(to.ONE_LANE, S, plan, custom, step_single)
+    _advance(to.ONE_LANE, S, plan, custom, step_single, moment)
 
 
 @inlined
@@ -87,15 +94,6 @@ def _sense(lanes: Any, S: Any, plan: Any, moment: int) -> None:
         sense_pass(lanes, S, b, timing.tick, timing.sensor_teeth, 1.0 / timing.sensor_timer, slot)
 
 
-@inlined
-def _move_valves(lanes: Any, S: Any, plan: Any, moment: int) -> None:
-    L = width(lanes)
-    vent = to.VALVE_HISTORY + to.as_offset((moment - plan.timing.vent_delay) & WRAP)
-    fill = to.VALVE_HISTORY + to.as_offset((moment - plan.timing.fill_delay) & WRAP)
-    for axle in range(plan.n_axles):
-        valve_pass(lanes, S, (axle + to.AXLE_BLOCK) * to.N_VARS * L, vent, fill)
-
-
 @entry
 def sense_lanes(S: Any, plan: Any, moment: int) -> None:
     """Every speed sensor of sixteen lanes."""
@@ -106,18 +104,6 @@ def sense_lanes(S: Any, plan: Any, moment: int) -> None:
 def sense_single(S: Any, plan: Any, moment: int) -> None:
     """Every speed sensor of a single run."""
     _sense(to.ONE_LANE, S, plan, moment)
-
-
-@entry
-def move_valves_lanes(S: Any, plan: Any, moment: int) -> None:
-    """Every dump valve of sixteen lanes."""
-    _move_valves(to.SIXTEEN_LANES, S, plan, moment)
-
-
-@entry
-def move_valves_single(S: Any, plan: Any, moment: int) -> None:
-    """Every dump valve of a single run."""
-    _move_valves(to.ONE_LANE, S, plan, moment)
 
 
 @entry
@@ -147,6 +133,21 @@ def drive(L: int, S: Any, memory: Any, plan: Any) -> None:
             line_forces(L, S, way, formation, 0.5 * timing.tick, k)
 
 
+@compiled
+def _listen(
+    L: int, S: Any, memory: Any, monitor: Any, timing: Any, n_axles: int, moment: int, k: int
+) -> None:
+    """Put what lane k measures into its table; wheel rotation monitoring looks at it too."""
+    slot = at.SPEED_HISTORY + ((moment - timing.sensor_delay) & WRAP)
+    measured, alarm = memory.measured[k], memory.alarm[k]
+    demand, emergency = S[at.DRIVER_DEMAND * L + k], S[at.EMERGENCY * L + k]
+    gather(L, S, measured, demand, emergency, n_axles, k, slot)
+    period = timing.tick * timing.control_every
+    _rotation_monitoring(monitor, memory.monitor_state[k], measured, alarm, period)
+    for axle in range(n_axles):
+        S[((1 + axle) * at.N_VARS + at.ALARM) * L + k] = alarm[axle]
+
+
 @entry
 def control(
     L: int, S: Any, memory: Any, plan: Any, moment: int, controller: Any, initial: Any
@@ -157,23 +158,17 @@ def control(
     monitor = plan.monitor_parameters
     n_axles = setup.shape[0]
     period = timing.tick * timing.control_every
-    slot = at.SPEED_HISTORY + ((moment - timing.sensor_delay) & WRAP)
     for k in range(L):
         if S[at.RUN * L + k] < 0.0:
             continue
         tick = int(S[at.TICK * L + k])
         command = memory.command[k]
         if tick % timing.control_every == 0:
+            _listen(L, S, memory, monitor, timing, n_axles, moment, k)
             measured, state = memory.measured[k], memory.controller_state[k]
-            demand, emergency = S[at.DRIVER_DEMAND * L + k], S[at.EMERGENCY * L + k]
-            gather(L, S, measured, demand, emergency, n_axles, k, slot)
             if tick == 0:
                 initial(parameters, setup, state, measured)
             controller(parameters, setup, state, measured, command, period)
-            alarm = memory.alarm[k]
-            _rotation_monitoring(monitor, memory.monitor_state[k], measured, alarm, period)
-            for axle in range(n_axles):
-                S[((1 + axle) * at.N_VARS + at.ALARM) * L + k] = alarm[axle]
         obey(L, S, command, n_axles, k, at.VALVE_HISTORY + (moment & WRAP))
 
 
@@ -235,9 +230,12 @@ def _look_for_stop(L: int, S: Any, tick: float, k: int) -> None:
 
 
 @compiled
-def _status(L: int, S: Any, limit: int, after_stop: int, end: float, k: int) -> int:
+def _status(
+    L: int, S: Any, limit: int, after_stop: int, origin: float, end: float, k: int
+) -> int:
     """Return whether lane k goes on, or how it ends."""
     speed = S[at.TRAIN_SPEED * L + k]
+    rear = S[at.POSITION * L + k] - S[at.TRAIN_LENGTH * L + k]
     if not math.isfinite(speed) or not math.isfinite(S[at.POSITION * L + k]):
         return DIVERGED
     if S[at.CONTROLLER_ERROR * L + k] > 0.0:
@@ -246,7 +244,7 @@ def _status(L: int, S: Any, limit: int, after_stop: int, end: float, k: int) -> 
         S[at.STAND_TICKS * L + k] += 1.0
         if S[at.STAND_TICKS * L + k] > after_stop:
             return STOPPED
-    elif S[at.POSITION * L + k] >= end:
+    if S[at.POSITION * L + k] >= end or rear < origin:
         return END_OF_TRACK
     if S[at.TICK * L + k] >= limit:
         return TIME_LIMIT
@@ -261,7 +259,8 @@ def look_after(L: int, S: Any, memory: Any, plan: Any, out: Any, k: int) -> int:
     if int(S[at.RUN * L + k]) < out.trace_train.shape[0]:
         record(L, S, memory, plan, out, n_axles, k)
     _look_for_stop(L, S, timing.tick, k)
-    status = _status(L, S, timing.limit, timing.after_stop, plan.way.end, k)
+    way = plan.way
+    status = _status(L, S, timing.limit, timing.after_stop, way.origin, way.end, k)
     if status != RUNNING:
         finish_run(L, S, plan, out, n_axles, k, status)
     return status
@@ -276,6 +275,7 @@ def _needs_attention(L: int, S: Any, limit: int, end: float, k: int) -> bool:
         and S[at.POSITION * L + k] < end
         and S[at.TICK * L + k] < limit
         and S[at.CONTROLLER_ERROR * L + k] == 0.0
+        and S[at.STOP_TIME * L + k] < 0.0
     )
     return not goes_on
 
@@ -338,8 +338,7 @@ def run_lanes(
         drive(at.LANES, S, memory, plan)
         sense_lanes(S, plan, moment)
         control(at.LANES, S, memory, plan, moment, controller, initial)
-        move_valves_lanes(S, plan, moment)
-        advance_lanes(S, plan, custom)
+        advance_lanes(S, plan, custom, moment)
         leave_behind(at.LANES, S, memory, plan)
         moment += 1
 
@@ -360,8 +359,7 @@ def run_single(
         drive(1, S, memory, plan)
         sense_single(S, plan, moment)
         control(1, S, memory, plan, moment, controller, initial)
-        move_valves_single(S, plan, moment)
-        advance_single(S, plan, custom)
+        advance_single(S, plan, custom, moment)
         leave_behind(1, S, memory, plan)
         moment += 1
 
@@ -373,16 +371,16 @@ def begin_single(memory: Any, plan: Any, overrides: Any, run: int) -> None:
 
 
 @entry
-def before_control_single(
-    memory: Any, plan: Any, out: Any, moment: int, controller: Any, initial: Any
-) -> int:
+def before_control_single(memory: Any, plan: Any, out: Any, moment: int) -> int:
     """Begin a tick; what the controller sees is in memory.measured; return the status."""
     S = memory.lanes
     status = look_after(1, S, memory, plan, out, 0)
     if status == RUNNING:
         drive(1, S, memory, plan)
         sense_single(S, plan, moment)
-        control(1, S, memory, plan, moment, controller, initial)
+        n_axles = plan.formation.vehicle_of_axle.shape[0]
+        if int(S[at.TICK]) % plan.timing.control_every == 0:
+            _listen(1, S, memory, plan.monitor_parameters, plan.timing, n_axles, moment, 0)
     return int(status)
 
 
@@ -392,6 +390,5 @@ def after_control_single(memory: Any, plan: Any, moment: int, custom: Any) -> No
     S = memory.lanes
     n_axles = plan.formation.vehicle_of_axle.shape[0]
     obey(1, S, memory.command[0], n_axles, 0, at.VALVE_HISTORY + (moment & WRAP))
-    move_valves_single(S, plan, moment)
-    advance_single(S, plan, custom)
+    advance_single(S, plan, custom, moment)
     leave_behind(1, S, memory, plan)

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from functools import cache
 
 import numpy as np
 
-from railgrip.brake.filling import distributor
-from railgrip.brake.orifice import rate_constant_fill, rate_constant_vent
+from railgrip.brake import filling, orifice
 from railgrip.contact.kalker_1990 import kalker_slope
 from railgrip.core.constants import GRAVITY
 from railgrip.core.errors import Problem, RailgripError
@@ -35,11 +34,10 @@ FILL_FROM, FILL_TO, FILL_SUPPLY = 0.4e5, 3.6e5, 3.8e5
 """Pressures between which the times of a dump valve are meant, Pa."""
 
 
-class Block(NamedTuple):
-    """One axle's numbers by the names of the layout."""
-
-    values: dict[str, float]
-    brake: FloatArray
+# Calibrating an orifice takes milliseconds, and the axles of a train are mostly alike.
+_distributor = cache(filling.distributor)
+_rate_constant_fill = cache(orifice.rate_constant_fill)
+_rate_constant_vent = cache(orifice.rate_constant_vent)
 
 
 def lower_train(scenario: Scenario) -> tuple[FloatArray, FloatArray]:
@@ -223,7 +221,7 @@ def _filling_values(brake: FrictionBrake, pressure: float) -> dict[str, float]:
             "INSHOT_PRESSURE": 0.0,
             "RELEASE_RATE": pressure / brake.release_time,
         }
-    orifices = distributor(pressure, brake.fill_time, brake.release_time, inshot=brake.inshot)
+    orifices = _distributor(pressure, brake.fill_time, brake.release_time, inshot=brake.inshot)
     return {
         "FILL_RATE": orifices.fill_rate,
         "INSHOT_RATE": orifices.inshot_rate,
@@ -289,7 +287,7 @@ def _valve_values(scenario: Scenario, brake: FrictionBrake | None) -> dict[str, 
         }  # fmt: skip
     return {
         "HAS_VALVE": 1.0,
-        "VALVE_FILL": rate_constant_fill(FILL_FROM, FILL_TO, FILL_SUPPLY, valve.fill_time_valve),
-        "VALVE_VENT": rate_constant_vent(VENT_FROM, VENT_TO, valve.vent_time),
+        "VALVE_FILL": _rate_constant_fill(FILL_FROM, FILL_TO, FILL_SUPPLY, valve.fill_time_valve),
+        "VALVE_VENT": _rate_constant_vent(VENT_FROM, VENT_TO, valve.vent_time),
         "CYLINDER_VOLUME": valve.cylinder_volume,
     }

@@ -152,6 +152,6 @@ def finish_run(
     row[10] = dynamic
     row[14] = rail
     row[15] = air
-    if status != STOPPED:
+    if status != STOPPED or S[at.BRAKE_TIME * L + k] < 0.0:
         row[2] = float("nan")
         row[3] = float("nan")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -65,7 +66,8 @@ class Result:
 
     @classmethod
     def from_arrays(
-        cls, scenario: Scenario, plan: Plan, out: Outcome, rail: Memory | None
+        cls, scenario: Scenario, plan: Plan, out: Outcome, rail: Memory | None,
+        wsp_parameters: dict[str, float],
     ) -> Result:
         """Name the kernel's columns."""
         import xarray as xr
@@ -98,6 +100,7 @@ class Result:
                 "seed": scenario.run.seed,
                 "creep_law": scenario.run.creep_law,
                 "controller": scenario.wsp.controller,
+                "wsp_parameters": json.dumps(wsp_parameters),
             },
         )
         return cls(scenario, data)
@@ -235,7 +238,7 @@ def _utilisation(of_train: dict[str, FloatArray], of_axle: dict[str, FloatArray]
 def _rail(plan: Plan, rail: Memory, front: float) -> tuple[Variables, FloatArray]:
     way = plan.way
     n_cells = int((front - way.origin) / way.cell_length) + 2
-    n_cells = min(n_cells, len(rail.ring_energy), len(way.condition_of_cell))
+    n_cells = min(max(n_cells, 0), len(rail.ring_energy), len(way.condition_of_cell))
     cells = np.arange(n_cells)
     position = way.origin + (cells + 0.5) * way.cell_length
     rows = way.conditions[way.condition_of_cell[:n_cells]]

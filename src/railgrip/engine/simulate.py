@@ -208,7 +208,9 @@ def simulate(
         rail = _run_compiled(prepared, changes, out, threads, traced, progress)
     else:
         rail = _run_plain(prepared, changes, out, traced, progress)
-    return Result.from_arrays(prepared.scenario, prepared.plan, out, rail)
+    parameters = getattr(prepared.controller, "parameters", None)
+    named = parameters._asdict() if hasattr(parameters, "_asdict") else {}
+    return Result.from_arrays(prepared.scenario, prepared.plan, out, rail, named)
 
 
 def _chunks(runs: int, threads: int) -> Iterator[tuple[int, int]]:
@@ -256,8 +258,7 @@ def _run_plain(
         kernel.begin_single(own, plan, changes, run)
         state = prepared.controller.reset(setup)
         moment = 0
-        seen = (prepared.compiled.kernel, prepared.compiled.initial)
-        while kernel.before_control_single(own, plan, out, moment, *seen) == RunStatus.RUNNING:
+        while kernel.before_control_single(own, plan, out, moment) == RunStatus.RUNNING:
             if moment % every == 0:
                 own.command[0] = plain_step(prepared.controller, state, own.measured[0], period)
             kernel.after_control_single(own, plan, moment, prepared.creep_law)

@@ -90,24 +90,18 @@ def _remember(lanes: Any, S: Any, b: int) -> None:
 
 
 @inlined
-def advance(
-    lanes: Any, S: Any, n_axles: int, brakes: Any, demand_tick: Any, demand_level: Any,
-    origin: float, per_metre: float, h: float, creep_law: int, custom: Any, step: Any,
+def prepare_axle(
+    lanes: Any, S: Any, b: int, brake: Any, demand_tick: Any, demand_level: Any,
+    origin: float, per_metre: float, h: float,
 ) -> None:  # fmt: skip
-    """Advance every lane by one tick, to second order, and account for it."""
-    L = width(lanes)
-    L = width(lanes)
-    for axle in range(n_axles):
-        b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
-        brake_pass(lanes, S, b, brakes[axle], demand_tick, demand_level, h)
-        rail_pass(lanes, S, b, origin, per_metre, 0.5 * h)
-        _remember(lanes, S, b)
-    step(S, n_axles, creep_law, custom, h)
-    _account(lanes, S, n_axles, h)
+    """Bring brake and rail of one axle to the middle of the tick."""
+    brake_pass(lanes, S, b, brake, demand_tick, demand_level, h)
+    rail_pass(lanes, S, b, origin, per_metre, 0.5 * h)
+    _remember(lanes, S, b)
 
 
 @inlined
-def _account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
+def account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
     """Sum up what the tick did, each term from its own force and speed."""
     L = width(lanes)
     for k in range(L):

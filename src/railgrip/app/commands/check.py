@@ -16,7 +16,7 @@ IN_ORDER, NOT_IN_ORDER = 0, 1
 def check(
     file: str, /, *, as_json: Annotated[bool, Parameter(name="--json", negative="")] = False
 ) -> int:
-    """Check a scenario (.toml) or a controller (.py), without running a train.
+    """Check a scenario (.toml) without running it, or a controller (.py) on bench and train.
 
     A scenario: everything that is wrong, at once, with its place (exit code 2). A controller: the
     contract tests that every registered controller passes (exit code 1 if one fails).
@@ -60,26 +60,18 @@ def _check_protection(controller: str) -> None:
 
 
 def _check_controller(file: str, as_json: bool) -> int:
-    from railgrip.control.contract_checks import CONTRACT_CHECKS
-    from railgrip.control.contract_signals import ContractError
+    from railgrip.campaign.controller_check import check_controller
     from railgrip.control.controller_file import load_controller_class
 
-    make = load_controller_class(file)
-    found: dict[str, tuple[bool, str]] = {}
-    for name, one in CONTRACT_CHECKS.items():
-        with working(f"checking: {name}"):
-            try:
-                found[name] = (True, one(make))
-            except ContractError as error:
-                found[name] = (False, str(error))
-    code = IN_ORDER if all(passed for passed, _ in found.values()) else NOT_IN_ORDER
+    make = load_controller_class(file)  # what cannot be loaded is bad input, not a bad controller
+    with working("checking the controller, on the bench and in a train"):
+        found = check_controller(file)
+    code = IN_ORDER if all(result.passed for result in found) else NOT_IN_ORDER
     if as_json:
-        checks = {name: {"passed": passed, "text": t} for name, (passed, t) in found.items()}
+        checks = [result._asdict() for result in found]
         print_json({"file": file, "in_order": not code, "checks": checks, "exit_code": code})
         return code
-    rows = [[name, "passed" if passed else "FAILED", t] for name, (passed, t) in found.items()]
+    rows = [[name, "passed" if passed else "FAILED", sentence] for name, passed, sentence in found]
     print_table(f"{make.__name__} in {file}", ["check", "", ""], rows, to_the_right=False)
-    print(
-        "The controller keeps the contract." if not code else "The controller breaks the contract."
-    )
+    print(f"The controller {'keeps' if code == IN_ORDER else 'breaks'} the contract.")
     return code

@@ -6,6 +6,7 @@ import re
 from importlib import resources
 from pathlib import Path
 
+from railgrip.core.atomic import write_aside
 from railgrip.core.errors import Problem, RailgripError
 
 
@@ -23,8 +24,6 @@ def new(name: str, /) -> int:
         raise RailgripError(Problem("new", what, got=f"'{name}'", allowed="letters, digits, _ . -"))
     if path.exists():
         raise RailgripError(Problem(str(path), "is there already", cure="another name"))
-    from railgrip.core.atomic import write_aside
-
     text = template().replace("TITLE", path.stem.replace("_", " "))
     with write_aside(path) as aside:
         aside.write_text(text.replace("THIS_FILE", path.stem), encoding="utf-8")
