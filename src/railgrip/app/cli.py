@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from types import FrameType
 from typing import NoReturn
 
-from cyclopts import App, CycloptsError
+from cyclopts import App, CycloptsError, Parameter
 
 from railgrip import __version__
 from railgrip.app.commands.check import check
@@ -36,6 +36,7 @@ app = App(
     help="Brake a real train on bad rail, axle by axle, and see what happens.",
     help_epilogue="A first result: railgrip demo. A scenario of your own: railgrip new my_stop.",
     version=__version__,
+    default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
 )
 for command in (demo, run, compare, check, new, schema):

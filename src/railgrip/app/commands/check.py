@@ -13,9 +13,7 @@ from railgrip.core.errors import Problem, RailgripError
 IN_ORDER, NOT_IN_ORDER = 0, 1
 
 
-def check(
-    file: str, /, *, as_json: Annotated[bool, Parameter(name="--json", negative="")] = False
-) -> int:
+def check(file: str, /, *, as_json: Annotated[bool, Parameter(name="--json")] = False) -> int:
     """Check a scenario (.toml) without running it, or a controller (.py) on bench and train.
 
     A scenario: everything that is wrong, at once, with its place (exit code 2). A controller: the

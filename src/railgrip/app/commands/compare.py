@@ -25,10 +25,12 @@ def compare(
     measured: Path | None = None,
     channels: Annotated[Path | None, Parameter(name="--map")] = None,
     out: Path | None = None,
-    changes: Annotated[list[str] | None, Parameter(name="--set", consume_multiple=True)] = None,
+    changes: Annotated[
+        list[str] | None, Parameter(name="--set", consume_multiple=True, negative="")
+    ] = None,
     figures: str = "",
-    report: Annotated[bool, Parameter(name="--report", negative="--no-report")] = True,
-    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+    no_report: bool = False,
+    as_json: Annotated[bool, Parameter(name="--json")] = False,
 ) -> int:
     """Put runs side by side; the first is what the others are compared with.
 
@@ -45,13 +47,13 @@ def compare(
     channels
         Channel map of the recorded stop, TOML.
     out
-        Folder for the report; ./out/<first scenario>_compared if not given.
+        Folder for the report; ./out/SCENARIO_compared if not given.
     changes
         Changes to every scenario, key=value.
     figures
         Also write figures for documents, in these formats: png,svg,pdf.
-    report
-        Write files, or only print the figures.
+    no_report
+        Print the figures, write no files.
     as_json
         Print one JSON object instead of the tables.
     """
@@ -64,7 +66,7 @@ def compare(
     first, *others = runs
     overlay = _laid_over(runs[first], measured, channels)
     written: list[Path] = []
-    if report:
+    if not no_report:
         folder = out or Path("out") / f"{Path(files[0]).stem}_compared"
         with working("writing the report"):
             ghost = {name: runs[name] for name in others}

@@ -17,8 +17,8 @@ from railgrip.app.screen import print_json, working
 def demo(
     *,
     out: Path | None = None,
-    report: Annotated[bool, Parameter(name="--report", negative="--no-report")] = True,
-    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+    no_report: bool = False,
+    as_json: Annotated[bool, Parameter(name="--json")] = False,
 ) -> int:
     """Brake a train on a slippery real line, with and without wheel-slide protection.
 
@@ -26,8 +26,8 @@ def demo(
     ----------
     out
         Folder for report, data, curves and figures; ./out/demo if not given.
-    report
-        Write files, or only print the figures.
+    no_report
+        Print the figures, write no files.
     as_json
         Print one JSON object instead of the table.
     """
@@ -36,7 +36,7 @@ def demo(
     runs = simulate_all(named)
     protected, locked = runs.values()
     files = []
-    if report:
+    if not no_report:
         with working("writing the report"):
             folder = out or Path("out") / "demo"
             files = results.write(protected, folder, ("png",), ghost={"without protection": locked})

@@ -30,7 +30,7 @@ def list_names(
     kind: Annotated[str | None, Parameter(help=f"One of: {', '.join(KINDS)}.")] = None,
     /,
     *,
-    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+    as_json: Annotated[bool, Parameter(name="--json")] = False,
 ) -> int:
     """List trains, lines, rail conditions, controllers and whatever else has a name.
 

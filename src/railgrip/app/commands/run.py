@@ -18,10 +18,12 @@ def run(
     *,
     out: Path | None = None,
     trace: str | None = None,
-    changes: Annotated[list[str] | None, Parameter(name="--set", consume_multiple=True)] = None,
+    changes: Annotated[
+        list[str] | None, Parameter(name="--set", consume_multiple=True, negative="")
+    ] = None,
     figures: str = "",
-    report: Annotated[bool, Parameter(name="--report", negative="--no-report")] = True,
-    as_json: Annotated[bool, Parameter(name="--json", negative="")] = False,
+    no_report: bool = False,
+    as_json: Annotated[bool, Parameter(name="--json")] = False,
 ) -> int:
     """Brake the train of a scenario; print the figures and write the report.
 
@@ -32,15 +34,15 @@ def run(
     file
         A scenario file, or a shipped scenario by name.
     out
-        Folder for report, data and curves; ./out/<scenario> if not given.
+        Folder for report, data and curves; ./out/SCENARIO if not given.
     trace
         Time between two points of the curves, e.g. "20 ms".
     changes
         Changes to the scenario, key=value, e.g. --set run.speed=120km/h wsp.controller=none.
     figures
         Also write figures for documents, in these formats: png,svg,pdf.
-    report
-        Write files, or only print the figures.
+    no_report
+        Print the figures, write no files.
     as_json
         Print one JSON object instead of the table.
     """
@@ -55,7 +57,7 @@ def run(
 
         result = railgrip.simulate(scenario)
     files = []
-    if report:
+    if not no_report:
         with working("writing the report"):
             files = results.write(result, out or Path("out") / name, formats)
     if as_json:

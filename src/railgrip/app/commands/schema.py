@@ -13,7 +13,7 @@ def schema(
     kind: Annotated[str, Parameter(help="scenario, train, line or rail_condition.")] = "scenario",
     /,
     *,
-    as_json: Annotated[bool, Parameter(name="--json", negative="", show=False)] = False,
+    as_json: Annotated[bool, Parameter(name="--json", show=False)] = False,
 ) -> int:
     """Print the JSON Schema of a kind of file.
 
