@@ -43,10 +43,7 @@ def as_json(result: Result, files: list[Path]) -> dict[str, Any]:
         "status": result.status.name,
         "sentence": result.sentence,
         "metrics": {m.name: {"value": m.value, "unit": m.unit} for m in metrics(result)},
-        "limits": [
-            {"name": v.name, "value": v.value, "limit": v.limit, "unit": v.unit, "passed": v.passed}
-            for v in verdicts(result)
-        ],
+        "limits": [verdict._asdict() for verdict in verdicts(result)],
         "files": [str(path) for path in files],
         "exit_code": exit_code(result),
     }
@@ -56,14 +53,10 @@ def show(result: Result, name: str) -> None:
     """Print the figures of one run with their limits."""
     from railgrip.report.metrics import metrics
 
-    held = {verdict.name: verdict for verdict in verdicts(result)}
-    rows = []
-    for metric in metrics(result):
-        verdict = held.get(metric.name)
-        limit = f"{verdict.limit:g} {verdict.unit}".strip() if verdict else ""
-        word = ("kept" if verdict.passed else "MISSED") if verdict else ""
-        rows.append([metric.label, metric.text, limit, word])
-    print_table(result.scenario.title or name, ["", "result", "limit", ""], rows)
+    rows = [[metric.label, metric.text] for metric in metrics(result)]
+    print_table(result.scenario.title or name, ["", "result"], rows)
+    for verdict in verdicts(result):
+        print(verdict.text)
     print(result.sentence)
 
 

@@ -41,14 +41,13 @@ _heat_rates = inlined(two_node_heat_rates)
 def demand_pass(lanes: Any, S: Any, b: int, tick: float, demand_tick: Any, level: Any) -> None:
     """Let the driver's demand reach the axle after the delay of pipe and distributor."""
     L = width(lanes)
-    for k in range(L):
-        S[b + at.DEMAND * L + k] = 0.0
     for i in range(demand_tick.shape[0]):
         from_time = (float(demand_tick[i]) - 0.5) * tick
         demanded = level[i]
+        known = 0.0 if i == 0 else 1.0
         for k in range(L):
             since = S[b + at.HERE_TICK * L + k] * tick - S[b + at.DEMAND_DELAY * L + k]
-            before = S[b + at.DEMAND * L + k]
+            before = known * S[b + at.DEMAND * L + k]
             S[b + at.DEMAND * L + k] = demanded if since >= from_time else before
 
 
@@ -78,7 +77,8 @@ def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
 @inlined
 def _target(L: int, S: Any, b: int, k: int) -> float:
     """Return the pressure for what the dynamic brake leaves over."""
-    left = S[b + at.DEMAND * L + k] - S[b + at.DYNAMIC_FORCE * L + k] / S[b + at.FULL_FORCE * L + k]
+    taken = S[b + at.DYNAMIC_FORCE * L + k] * S[b + at.PER_FULL_FORCE * L + k]
+    left = S[b + at.DEMAND * L + k] - taken
     return S[b + at.FULL_PRESSURE * L + k] * max(left, 0.0)
 
 
@@ -113,12 +113,13 @@ def cylinder_pass(lanes: Any, S: Any, b: int, h: float) -> None:
         supply = S[b + at.SUPPLY_PRESSURE * L + k]
         after = S[b + at.SUPPLY_AFTER * L + k]
         pressure = S[b + at.CYLINDER_PRESSURE * L + k]
-        into = S[b + at.IS_FILL * L + k] * S[b + at.VALVE_FILL * L + k]
-        out = S[b + at.IS_VENT * L + k] * S[b + at.VALVE_VENT * L + k]
-        rate = into * _orifice_flow(supply, pressure) - out * _orifice_flow(pressure, 0.0)
+        # a valve fills from the supply, vents into the open, or holds: one orifice at a time
+        is_fill = S[b + at.IS_FILL * L + k]
+        opening = is_fill * S[b + at.VALVE_FILL * L + k]
+        opening += S[b + at.IS_VENT * L + k] * S[b + at.VALVE_VENT * L + k]
+        rate = opening * _orifice_flow(is_fill * supply, pressure)
         middle = max(pressure + 0.5 * h * rate, 0.0)
-        offered = 0.5 * (supply + after)
-        rate = into * _orifice_flow(offered, middle) - out * _orifice_flow(middle, 0.0)
+        rate = opening * _orifice_flow(is_fill * 0.5 * (supply + after), middle)
         has_valve = S[b + at.HAS_VALVE * L + k]
         pressure_after = has_valve * (pressure + h * rate) + (1.0 - has_valve) * after
         pressure_after = max(pressure_after, 0.0)
@@ -189,6 +190,7 @@ def _hinges(brake: Any, i: int) -> Hinges:
 def heat_pass(lanes: Any, S: Any, b: int, h: float) -> None:
     """Heat of the tick into the disc: the mean power of brake impulse and mean speed."""
     L = width(lanes)
+    per_tick = 1.0 / h
     for k in range(L):
         disc = DiscHeat(
             S[b + at.RING_MASS * L + k], S[b + at.HUB_MASS * L + k],
@@ -198,7 +200,7 @@ def heat_pass(lanes: Any, S: Any, b: int, h: float) -> None:
             S[b + at.AMBIENT * L + k],
         )  # fmt: skip
         mean_speed = 0.5 * (S[b + at.SPEED_BEFORE * L + k] + S[b + at.WHEEL_SPEED * L + k])
-        power = S[b + at.BRAKE_IMPULSE * L + k] * mean_speed / h
+        power = S[b + at.BRAKE_IMPULSE * L + k] * mean_speed * per_tick
         still, wind = S[b + at.FILM_STILL * L + k], S[b + at.FILM_WIND * L + k]
         film = still + wind * S[b + at.HERE_FILM * L + k]
         ring_rate, hub_rate = _heat_rates(

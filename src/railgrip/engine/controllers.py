@@ -18,8 +18,15 @@ from railgrip.scenario.run import Wsp
 WHERE = "wsp.controller"
 
 
-def find_controller(wsp: Wsp) -> Any:
+def find_controller(wsp: Wsp, step: float) -> Any:
     """Return an instance of the controller that a scenario names, with its parameters.
+
+    Parameters
+    ----------
+    wsp : Wsp
+        What the scenario says of it.
+    step : float
+        Of the run [s]; no protection follows it.
 
     Raises
     ------
@@ -27,9 +34,9 @@ def find_controller(wsp: Wsp) -> Any:
         "wsp.controller: controller 'conventionl' unknown; …", "wsp.parameters: …".
     """
     if wsp.controller == "none":
-        kind: Any = NoProtection
-    elif wsp.controller.endswith(".py"):
-        kind = load_controller_class(wsp.controller)
+        return NoProtection(period=step)
+    if wsp.controller.endswith(".py"):
+        kind: Any = load_controller_class(wsp.controller)
     else:
         kind = registry.resolve("railgrip.controllers", wsp.controller, WHERE)
     return configured(kind, wsp.parameters)

@@ -20,7 +20,7 @@ from railgrip.engine import layout as at, offsets as to
 from railgrip.engine.compiler import compiled, entry, inlined
 from railgrip.engine.rail import enter_cells, heat_rail, lay_sand, line_forces
 from railgrip.engine.records import finish_run, record
-from railgrip.engine.sensing import driver_demand, gather, obey, sense_pass, valve_pass
+from railgrip.engine.sensing import ask_for_sand, driver_demand, gather, obey, sense_pass, valve_pass
 from railgrip.engine.start import begin_run
 from railgrip.engine.step import plant_step
 from railgrip.engine.tick import account, begin_train, hand_down, prepare_axle
@@ -141,11 +141,15 @@ def _listen(
     slot = at.SPEED_HISTORY + ((moment - timing.sensor_delay) & WRAP)
     measured, alarm = memory.measured[k], memory.alarm[k]
     demand, emergency = S[at.DRIVER_DEMAND * L + k], S[at.EMERGENCY * L + k]
-    gather(L, S, measured, demand, emergency, n_axles, k, slot)
-    period = timing.tick * timing.control_every
-    _rotation_monitoring(monitor, memory.monitor_state[k], measured, alarm, period)
-    for axle in range(n_axles):
-        S[((1 + axle) * at.N_VARS + at.ALARM) * L + k] = alarm[axle]
+    gather(
+        to.as_offset(L), S, measured, demand, emergency, to.as_offset(n_axles), to.as_offset(k),
+        to.as_offset(slot),
+    )  # fmt: skip
+    if int(S[at.TICK * L + k]) % timing.monitor_every == 0:
+        period = timing.tick * timing.monitor_every
+        _rotation_monitoring(monitor, memory.monitor_state[k], measured, alarm, period)
+        for axle in range(n_axles):
+            S[((1 + axle) * at.N_VARS + at.ALARM) * L + k] = alarm[axle]
 
 
 @entry
@@ -169,23 +173,24 @@ def control(
             if tick == 0:
                 initial(parameters, setup, state, measured)
             controller(parameters, setup, state, measured, command, period)
-        obey(L, S, command, n_axles, k, at.VALVE_HISTORY + (moment & WRAP))
+        slot = to.as_offset(at.VALVE_HISTORY + (moment & WRAP))
+        obey(to.as_offset(L), S, command, plan.n_axles, to.as_offset(k), slot)
+        if plan.formation.has_sander == 1:
+            ask_for_sand(L, S, command, n_axles, k)
 
 
 @entry
 def leave_behind(L: int, S: Any, memory: Any, plan: Any) -> None:
-    """Heat and sand the rail, and take the air from the reservoirs."""
+    """Sand the rail, and take the air from the reservoirs."""
     timing, way, formation = plan.timing, plan.way, plan.formation
-    energy, sand = memory.ring_energy, memory.ring_sand
+    sand = memory.ring_sand
     n_axles = formation.vehicle_of_axle.shape[0]
     for k in range(L):
-        if S[at.RUN * L + k] >= 0.0:
-            heat_rail(L, S, energy, n_axles, way.origin, way.cell_length, k)
-            if formation.has_sander == 1:
-                lay_sand(
-                    L, S, sand, n_axles, way.origin, way.cell_length, timing.tick,
-                    timing.sand_delay, timing.sand_cut_out, k,
-                )  # fmt: skip
+        if S[at.RUN * L + k] >= 0.0 and formation.has_sander == 1:
+            lay_sand(
+                L, S, sand, n_axles, way.origin, way.cell_length, timing.tick,
+                timing.sand_delay, timing.sand_cut_out, k,
+            )  # fmt: skip
     _take_air(L, S, memory.reservoirs, formation, n_axles, timing.tick)
 
 
@@ -262,6 +267,9 @@ def look_after(L: int, S: Any, memory: Any, plan: Any, out: Any, k: int) -> int:
     way = plan.way
     status = _status(L, S, timing.limit, timing.after_stop, way.origin, way.end, k)
     if status != RUNNING:
+        for axle in range(n_axles):
+            b = (1 + axle) * at.N_VARS * L
+            heat_rail(L, S, memory.ring_energy, 1.0 / way.cell_length, b, k)
         finish_run(L, S, plan, out, n_axles, k, status)
     return status
 
@@ -389,6 +397,8 @@ def after_control_single(memory: Any, plan: Any, moment: int, custom: Any) -> No
     """Obey the command that Python has put into memory.command, and finish the tick."""
     S = memory.lanes
     n_axles = plan.formation.vehicle_of_axle.shape[0]
-    obey(1, S, memory.command[0], n_axles, 0, at.VALVE_HISTORY + (moment & WRAP))
+    slot = to.as_offset(at.VALVE_HISTORY + (moment & WRAP))
+    obey(to.as_offset(1), S, memory.command[0], plan.n_axles, to.as_offset(0), slot)
+    ask_for_sand(1, S, memory.command[0], n_axles, 0)
     advance_single(S, plan, custom, moment)
     leave_behind(1, S, memory, plan)

@@ -26,6 +26,8 @@ LEAST_CELL = 0.5
 """Shortest rail cell, m."""
 ELEVATION_STEP = 1.0
 """Spacing of heights along the line, m."""
+MONITOR_PERIOD = 0.1
+"""Wheel rotation monitoring works in seconds; it looks so often, s."""
 NEVER = 2**62
 """A tick that does not come."""
 
@@ -66,7 +68,7 @@ def _ticks(scenario: Scenario, where: str, time: float) -> int:
         raise RailgripError(
             Problem(
                 where,
-                "a delay must be shorter than 16 steps",
+                f"a delay must be shorter than {at.MAX_DELAY} steps",
                 got=f"{time * 1e3:g} ms at a step of {scenario.run.step * 1e3:g} ms",
                 cure="a larger run.step",
             )
@@ -96,6 +98,7 @@ def _timing(scenario: Scenario, control_period: float) -> Timing:
         after_stop=round(run.after_stop / run.step),
         trace_every=round(run.trace / run.step),
         control_every=round(every),
+        monitor_every=round(every) * max(1, round(MONITOR_PERIOD / control_period)),
         demand_tick=ticks,
         demand_level=np.array([point.level for point in points]),
         demand_emergency=np.array([float(point.emergency) for point in points]),

@@ -198,15 +198,18 @@ def _brake_values(
     radius = brake.friction_radius if brake.friction_radius is not None else wheel_radius
     per_block = 1 / (brake.units * (brake.blocks if brake.kind == "block" else 1))
     friction = nominal_friction(brake.pad, full_clamp * per_block)
+    full_force = full_clamp * friction * radius / wheel_radius
     return {
         "FULL_PRESSURE": pressure,
+        "PER_FULL_PRESSURE": 1.0 / pressure,
         "CLAMP_PER_PRESSURE": slope,
         "CLAMP_OFFSET": offset,
         "HYSTERESIS": brake.hysteresis,
         "TREAD_PER_CLAMP": radius / wheel_radius,
         "CLAMP_PER_BLOCK": per_block,
         "RUBBING_RATIO": radius / wheel_radius,
-        "FULL_FORCE": full_clamp * friction * radius / wheel_radius,
+        "FULL_FORCE": full_force,
+        "PER_FULL_FORCE": 1.0 / full_force,
         "DEMAND_DELAY": brake.dead_time,
         **_filling_values(brake, pressure),
         **_heat_values(brake),
@@ -255,7 +258,8 @@ def _cold() -> dict[str, float]:
 
 def _unbraked() -> dict[str, float]:
     return {
-        "FULL_PRESSURE": 1.0, "CLAMP_PER_PRESSURE": 0.0, "CLAMP_OFFSET": 0.0, "HYSTERESIS": 0.0,
+        "FULL_PRESSURE": 1.0, "PER_FULL_PRESSURE": 1.0, "PER_FULL_FORCE": 1.0,
+        "CLAMP_PER_PRESSURE": 0.0, "CLAMP_OFFSET": 0.0, "HYSTERESIS": 0.0,
         "TREAD_PER_CLAMP": 0.0, "CLAMP_PER_BLOCK": 0.0, "RUBBING_RATIO": 0.0, "FULL_FORCE": 1.0,
         "DEMAND_DELAY": 0.0, "FILL_RATE": 0.0, "INSHOT_RATE": 0.0, "INSHOT_PRESSURE": 0.0,
         "RELEASE_RATE": 0.0, **_cold(),

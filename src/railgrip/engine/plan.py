@@ -63,6 +63,7 @@ class Timing(NamedTuple):
     after_stop: int
     trace_every: int
     control_every: int
+    monitor_every: int
     demand_tick: IntArray
     demand_level: FloatArray
     demand_emergency: FloatArray

@@ -93,6 +93,18 @@ def read_cell(
 
 
 @compiled
+def heat_rail(L: int, S: Any, energy: Any, per_metre: float, b: int, k: int) -> None:
+    """Give what an axle has rubbed since the last cell centre to the two cells it lay between."""
+    mask = energy.shape[0] // L - 1
+    cell = int(S[b + at.CELL * L + k])
+    given = S[b + at.PENDING_ENERGY * L + k]
+    energy[(cell & mask) * L + k] += 0.5 * given * per_metre
+    energy[((cell + 1) & mask) * L + k] += 0.5 * given * per_metre
+    S[at.RAIL_ENERGY * L + k] += given
+    S[b + at.PENDING_ENERGY * L + k] = 0.0
+
+
+@compiled
 def enter_cells(
     L: int, S: Any, energy: Any, factor: Any, sand: Any, way: Any, n_axles: int, ahead: float,
     k: int,
@@ -109,6 +121,7 @@ def enter_cells(
         place = front - S[b + at.OFFSET * L + k] * per_metre - 0.5
         cell = S[b + at.CELL * L + k]
         while cell + 1.0 <= place:
+            heat_rail(L, S, energy, per_metre, b, k)
             cell += 1.0
             S[b + at.CELL * L + k] = cell
             read_cell(
@@ -146,30 +159,6 @@ def rail_pass(lanes: Any, S: Any, b: int, origin: float, per_metre: float, ahead
         gain = S[b + to.LOAD_TRANSFER * L + k] * S[b + to.HERE_PITCH * L + k]
         load = 1.0 + gain / S[b + to.STATIC_LOAD * L + k]
         S[b + to.SLOPE * L + k] = S[b + to.KALKER_SLOPE * L + k] * _power_2_3(load)
-
-
-@compiled
-def heat_rail(
-    L: int, S: Any, energy: Any, n_axles: int, origin: float, cell_length: float, k: int
-) -> None:
-    """Give the friction energy of a tick to the cells that each axle passed, by length."""
-    mask = energy.shape[0] // L - 1
-    per_metre = 1.0 / cell_length
-    last_front = (S[at.POSITION * L + k] - origin) * per_metre
-    moved = (S[at.POSITION * L + k] - S[at.POSITION_BEFORE * L + k]) * per_metre
-    for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L
-        given = S[b + at.SLID_NOW * L + k]
-        last = last_front - S[b + at.OFFSET * L + k] * per_metre
-        first = last - moved
-        cell = int(math.floor(first))
-        edge = float(cell + 1)
-        within = 1.0
-        if last > edge:
-            within = (edge - first) / moved
-            energy[((cell + 1) & mask) * L + k] += (1.0 - within) * given * per_metre
-        energy[(cell & mask) * L + k] += within * given * per_metre
-        S[b + at.RAIL_ENERGY * L + k] += given
 
 
 @compiled

@@ -125,7 +125,6 @@ def finish_run(
     contact = 0.0
     brake = 0.0
     dynamic = 0.0
-    rail = 0.0
     air = 0.0
     for axle in range(n_axles):
         b = (1 + axle) * at.N_VARS * L + k
@@ -134,7 +133,6 @@ def finish_run(
         contact += S[b + at.SLID_ENERGY * L]
         brake += S[b + at.BRAKE_ENERGY * L]
         dynamic += S[b + at.DYNAMIC_ENERGY * L]
-        rail += S[b + at.RAIL_ENERGY * L]
         air += S[b + at.AIR_USED * L]
         line = out.axle[run, axle]
         line[0] = S[b + at.SLID_DISTANCE * L]
@@ -150,7 +148,7 @@ def finish_run(
     row[8] = contact
     row[9] = brake
     row[10] = dynamic
-    row[14] = rail
+    row[14] = S[at.RAIL_ENERGY * L + k]
     row[15] = air
     if status != STOPPED or S[at.BRAKE_TIME * L + k] < 0.0:
         row[2] = float("nan")

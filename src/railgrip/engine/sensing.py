@@ -70,10 +70,10 @@ def gather(
 ) -> None:
     """Put what the controller of a lane sees into its table."""
     for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L + k
+        b = (axle + to.AXLE_BLOCK) * to.N_VARS * L + k
         measured[axle, ctl.WHEEL_SPEED] = S[b + slot * L]
-        measured[axle, ctl.CYLINDER_PRESSURE] = S[b + at.CYLINDER_PRESSURE * L]
-        measured[axle, ctl.DYNAMIC_FORCE] = S[b + at.DYNAMIC_FORCE * L]
+        measured[axle, ctl.CYLINDER_PRESSURE] = S[b + to.CYLINDER_PRESSURE * L]
+        measured[axle, ctl.DYNAMIC_FORCE] = S[b + to.DYNAMIC_FORCE * L]
         measured[axle, ctl.BRAKE_DEMAND] = demand
         measured[axle, ctl.EMERGENCY] = emergency
 
@@ -95,16 +95,23 @@ def driver_demand(
 @compiled
 def obey(L: int, S: Any, command: Any, n_axles: int, k: int, slot: int) -> None:
     """Take a controller's command over, or note that it is none."""
+    wrong = 0.0
     for axle in range(n_axles):
-        b = (1 + axle) * at.N_VARS * L + k
+        b = (axle + to.AXLE_BLOCK) * to.N_VARS * L + k
         valve = command[axle, ctl.DUMP_VALVE]
         share = command[axle, ctl.DYNAMIC_SHARE]
-        is_valve = valve == ctl.FILL or valve == ctl.HOLD or valve == ctl.VENT  # noqa: PLR1714
-        if not is_valve or not (0.0 <= share <= 1.0):
-            S[at.CONTROLLER_ERROR * L + k] = 1.0
+        # a valve that is none of the three leaves a remainder; NaN is unequal to itself
+        odd = valve * (valve - ctl.HOLD) * (valve - ctl.VENT)
+        wrong += abs(odd) + abs(min(max(share, 0.0), 1.0) - share)
         S[b + slot * L] = valve
-        S[b + at.DYNAMIC_SHARE * L] = share
-        if command[axle, ctl.SANDING] > 0.0:
-            S[b + at.SAND_TIME * L] += 1.0
-        else:
-            S[b + at.SAND_TIME * L] = 0.0
+        S[b + to.DYNAMIC_SHARE * L] = share
+    if wrong != 0.0:
+        S[to.CONTROLLER_ERROR * L + k] = 1.0
+
+
+@compiled
+def ask_for_sand(L: int, S: Any, command: Any, n_axles: int, k: int) -> None:
+    """Count the ticks for which each axle has been asking for sand."""
+    for axle in range(n_axles):
+        slot = ((1 + axle) * at.N_VARS + at.SAND_TIME) * L + k
+        S[slot] = S[slot] + 1.0 if command[axle, ctl.SANDING] > 0.0 else 0.0

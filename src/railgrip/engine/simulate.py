@@ -63,7 +63,7 @@ def prepare(scenario: Scenario, controller: Any = None) -> Prepared:
     controller : controller, optional
         Used in place of the one that the scenario names.
     """
-    controller = find_controller(scenario.wsp) if controller is None else controller
+    controller = find_controller(scenario.wsp, scenario.run.step) if controller is None else controller
     chosen = (
         compiled(controller, scenario.train.n_axles) if is_compiled(controller) else no_kernel()
     )

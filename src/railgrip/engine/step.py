@@ -36,6 +36,12 @@ LEAST_ROLLING_SPEED = 1e-3
 """Floor of the speed that creepage is formed with, m/s: at a stand every creepage is small."""
 LEAST_CREEPAGE = 1e-7
 """Floor of the creepage, so that the chord T/s is defined; far below any that matters."""
+LIMIT_FADE = 10.0
+"""How the friction limit fades out with the rolling speed, s/m.
+
+At a stand the contact is a spring that only the limit bounds. A rolling wheel is bounded by the
+law itself; a limit that now and then cut its chord off would spoil the order of the integration.
+"""
 LEAST_LOAD = 0.05
 """A wheel keeps at least this share of its static load."""
 
@@ -84,7 +90,9 @@ def _law_pass(lanes: Any, S: Any, b: int, law: Any) -> None:
         force = law(rail, load, S[b + at.SLOPE * L + k], slip_speed, creepage)
         S[b + at.CHORD * L + k] = force / creepage
         S[b + at.ROLLING * L + k] = rolling
-        S[b + at.FRICTION_LIMIT * L + k] = _falling(rail, slip_speed) * load
+        S[b + at.FRICTION_LIMIT * L + k] = (
+            _falling(rail, slip_speed) * load * (1.0 + LIMIT_FADE * rolling)
+        )
 
 
 @inlined
@@ -105,7 +113,9 @@ def _custom_pass(lanes: Any, S: Any, b: int, custom: Any) -> None:
         )  # fmt: skip
         S[b + at.CHORD * L + k] = force / creepage
         S[b + at.ROLLING * L + k] = rolling
-        S[b + at.FRICTION_LIMIT * L + k] = _falling(rail, slip_speed) * load
+        S[b + at.FRICTION_LIMIT * L + k] = (
+            _falling(rail, slip_speed) * load * (1.0 + LIMIT_FADE * rolling)
+        )
 
 
 @inlined
@@ -126,12 +136,13 @@ def _condense_pass(lanes: Any, S: Any, b: int, h: float) -> None:
     """Eliminate the wheel: what is left of it is a force and a stiffness against train speed."""
     L = width(lanes)
     front = b - at.N_VARS * L
+    per_step = 1.0 / h
     for k in range(L):
         train_speed = S[b + at.HERE_SPEED * L + k]
         wheel_speed = S[b + at.WHEEL_SPEED * L + k]
-        mass = S[b + at.ROTATING_MASS * L + k] / h
+        mass = S[b + at.ROTATING_MASS * L + k] * per_step
         limit = S[b + at.BRAKE_LIMIT * L + k]
-        sigma = S[b + at.RELAXATION_LENGTH * L + k] / h
+        sigma = S[b + at.RELAXATION_LENGTH * L + k] * per_step
         damping = 1.0 / (sigma + S[b + at.ROLLING * L + k])
         carried = sigma * S[b + at.CONTACT_FORCE * L + k] * damping
         stiffness = S[b + at.CHORD * L + k] * damping
@@ -151,22 +162,25 @@ def _condense_pass(lanes: Any, S: Any, b: int, h: float) -> None:
         S[b + at.CARRIED * L + k] = carried
         S[b + at.STIFFNESS * L + k] = stiffness
         S[b + at.FORCED * L + k] = forced
+        S[b + at.SHARE * L + k] = share
 
 
 @inlined
-def _wheel(L: int, S: Any, b: int, k: int, h: float) -> tuple[float, float, float]:
+def _wheel(
+    L: int, S: Any, b: int, k: int, h: float, per_step: float
+) -> tuple[float, float, float]:
     """Return wheel speed, contact force and brake impulse of one axle after the step."""
     front = b - at.N_VARS * L
     train_speed = S[front + at.HERE_PREDICTED * L + k]
     S[b + at.HERE_PREDICTED * L + k] = train_speed
-    mass = S[b + at.ROTATING_MASS * L + k] / h
+    mass = S[b + at.ROTATING_MASS * L + k] * per_step
     limit = S[b + at.FRICTION_LIMIT * L + k]
     brake = S[b + at.BRAKE_LIMIT * L + k]
     carried = S[b + at.CARRIED * L + k]
     stiffness = S[b + at.STIFFNESS * L + k]
     forced = S[b + at.FORCED * L + k]
     free = forced - carried + stiffness * train_speed
-    speed = math.copysign(max(abs(free) - brake, 0.0) / (mass + stiffness), free)
+    speed = math.copysign(max(abs(free) - brake, 0.0) * S[b + at.SHARE * L + k], free)
     contact = carried + stiffness * (speed - train_speed)
     bounded = min(max(contact, -limit), limit)
     # at its limit the contact force no longer depends on the speeds
@@ -183,8 +197,9 @@ def _wheel(L: int, S: Any, b: int, k: int, h: float) -> tuple[float, float, floa
 def _whole_wheel_pass(lanes: Any, S: Any, b: int, h: float) -> None:
     """The wheel after the whole step: kept aside."""
     L = width(lanes)
+    per_step = 1.0 / h
     for k in range(L):
-        speed, contact, brake_impulse = _wheel(L, S, b, k, h)
+        speed, contact, brake_impulse = _wheel(L, S, b, k, h, per_step)
         S[b + (at.WHOLE_STEP + at.WHEEL_SPEED) * L + k] = speed
         S[b + (at.WHOLE_STEP + at.CONTACT_FORCE) * L + k] = contact
         S[b + (at.WHOLE_STEP + at.CONTACT_IMPULSE) * L + k] = h * contact
@@ -195,8 +210,9 @@ def _whole_wheel_pass(lanes: Any, S: Any, b: int, h: float) -> None:
 def _half_wheel_pass(lanes: Any, S: Any, b: int, h: float) -> None:
     """The wheel after a half step."""
     L = width(lanes)
+    per_step = 1.0 / h
     for k in range(L):
-        speed, contact, brake_impulse = _wheel(L, S, b, k, h)
+        speed, contact, brake_impulse = _wheel(L, S, b, k, h, per_step)
         S[b + at.WHEEL_SPEED * L + k] = speed
         S[b + at.CONTACT_FORCE * L + k] = contact
         S[b + at.CONTACT_IMPULSE * L + k] += h * contact
@@ -227,7 +243,7 @@ def _resistance(L: int, S: Any, k: int) -> float:
 @inlined
 def _speed_after(L: int, S: Any, k: int, force: float, stiffness: float, h: float) -> float:
     """Return v after the step under ``force - stiffness v``: dry friction never reverses it."""
-    mass = S[at.TRAIN_MASS * L + k] / h
+    mass = S[at.TRAIN_MASS * L + k] * (1.0 / h)
     free = mass * S[at.TRAIN_SPEED * L + k] + force - S[at.GRADIENT_FORCE * L + k]
     held = _resistance(L, S, k) + S[at.TRACK_BRAKE_FORCE * L + k]
     return math.copysign(max(abs(free) - held, 0.0) / (mass + stiffness), free)

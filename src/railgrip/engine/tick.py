@@ -48,7 +48,8 @@ def begin_train(lanes: Any, S: Any, h: float) -> None:
         S[at.HERE_FILM * L + k] = _power_0_8(middle)
         S[at.HERE_DYNAMIC * L + k] = S[at.DYNAMIC_ALLOWED * L + k]
         S[at.HERE_POSITION * L + k] = S[at.POSITION * L + k]
-        S[at.HERE_DEMAND * L + k] = S[at.FIRST_DEMAND * L + k]
+        asked = S[at.FIRST_DEMAND * L + k]
+        S[at.HERE_PER_DEMAND * L + k] = 1.0 / asked if asked > 0.0 else 0.0
         S[at.SPEED_BEFORE_TICK * L + k] = speed
         S[at.POSITION_BEFORE * L + k] = S[at.POSITION * L + k]
         S[at.RESISTANCE_IMPULSE * L + k] = 0.0
@@ -76,7 +77,7 @@ def hand_down(lanes: Any, S: Any, b: int) -> None:
         pitch = S[front + at.HERE_PITCH * L + k]
         S[b + at.HERE_SPEED * L + k] = speed
         S[b + at.HERE_PITCH * L + k] = pitch
-        S[b + at.HERE_DEMAND * L + k] = S[front + at.HERE_DEMAND * L + k]
+        S[b + at.HERE_PER_DEMAND * L + k] = S[front + at.HERE_PER_DEMAND * L + k]
 
 
 @inlined
@@ -109,6 +110,7 @@ def account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
         mean = 0.5 * (S[at.SPEED_BEFORE_TICK * L + k] + after)
         S[at.HERE_SPEED * L + k] = after
         S[at.HERE_MEAN * L + k] = mean
+        S[at.HERE_PER_SPEED * L + k] = 1.0 / max(after, LEAST_SLIP_SPEED)
         S[at.RESISTANCE_ENERGY * L + k] += S[at.RESISTANCE_IMPULSE * L + k] * mean
         S[at.GRADIENT_ENERGY * L + k] += h * S[at.GRADIENT_FORCE * L + k] * mean
         S[at.TRACK_BRAKE_ENERGY * L + k] += S[at.TRACK_BRAKE_IMPULSE * L + k] * mean
@@ -143,7 +145,7 @@ def _account_energy(lanes: Any, S: Any, b: int, h: float) -> None:
         given = S[b + at.CONTACT_IMPULSE * L + k] * (wheel_mean - mean)
         S[b + at.ROLLED * L + k] += h * abs(wheel_mean)
         S[b + at.SLID_DISTANCE * L + k] += h * abs(wheel_mean - mean)
-        S[b + at.SLID_NOW * L + k] = given
+        S[b + at.PENDING_ENERGY * L + k] += given
         S[b + at.SLID_ENERGY * L + k] += given
         S[b + at.BRAKE_ENERGY * L + k] += S[b + at.BRAKE_IMPULSE * L + k] * wheel_mean
         S[b + at.DYNAMIC_ENERGY * L + k] += h * S[b + at.DYNAMIC_ACTING * L + k] * wheel_mean
@@ -164,8 +166,11 @@ def _account_slide(lanes: Any, S: Any, b: int, h: float) -> None:
         S[b + at.LOCK_NOW * L + k] = lock_now
         S[b + at.LOCKED_TIME * L + k] += h if is_locked else 0.0
         S[b + at.LONGEST_LOCK * L + k] = max(S[b + at.LONGEST_LOCK * L + k], lock_now)
-        S[b + at.LOCKED_SLIDE * L + k] += S[b + at.SLID_NOW * L + k] if is_locked else 0.0
-        slip = (train_speed - wheel_speed) / max(train_speed, LEAST_SLIP_SPEED)
+        ground = S[b + at.CONTACT_IMPULSE * L + k] * (wheel_speed - train_speed)
+        S[b + at.LOCKED_SLIDE * L + k] += ground if is_locked else 0.0
+        per_speed = S[front + at.HERE_PER_SPEED * L + k]
+        S[b + at.HERE_PER_SPEED * L + k] = per_speed
+        slip = (train_speed - wheel_speed) * per_speed
         slip = slip if train_speed > LEAST_SLIP_SPEED else 0.0
         S[b + at.GREATEST_SLIP * L + k] = max(S[b + at.GREATEST_SLIP * L + k], slip)
         S[b + at.SLIDE_TIME * L + k] += h if slip > SLIDING else 0.0
@@ -180,12 +185,12 @@ def _account_build_up(lanes: Any, S: Any, b: int, h: float) -> None:
     L = width(lanes)
     for k in range(L):
         offered = (
-            S[b + at.SUPPLY_PRESSURE * L + k] / S[b + at.FULL_PRESSURE * L + k]
-            + S[b + at.DYNAMIC_FORCE * L + k] / S[b + at.FULL_FORCE * L + k]
+            S[b + at.SUPPLY_PRESSURE * L + k] * S[b + at.PER_FULL_PRESSURE * L + k]
+            + S[b + at.DYNAMIC_FORCE * L + k] * S[b + at.PER_FULL_FORCE * L + k]
         )
-        asked = S[b + at.HERE_DEMAND * L + k]
-        share = min(offered / max(asked, 1e-6), 1.0)
-        is_built = S[b + at.IS_BUILT_UP * L + k] > 0.0 or (asked > 0.0 and share >= BUILT_UP)
+        per_demand = S[b + at.HERE_PER_DEMAND * L + k]
+        share = min(offered * per_demand, 1.0)
+        is_built = S[b + at.IS_BUILT_UP * L + k] > 0.0 or share >= BUILT_UP
         S[b + at.IS_BUILT_UP * L + k] = 1.0 if is_built else 0.0
         missing = h * (1.0 - share)
-        S[b + at.BUILD_UP_TIME * L + k] += missing if asked > 0.0 and not is_built else 0.0
+        S[b + at.BUILD_UP_TIME * L + k] += missing if per_demand > 0.0 and not is_built else 0.0

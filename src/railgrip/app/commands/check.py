@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
 
-from cyclopts import Parameter
-
+from railgrip.app.options import Json
 from railgrip.app.screen import print_json, print_table, working
 from railgrip.core.errors import Problem, RailgripError
 
 IN_ORDER, NOT_IN_ORDER = 0, 1
 
 
-def check(file: str, /, *, as_json: Annotated[bool, Parameter(name="--json")] = False) -> int:
+def check(file: str, /, *, as_json: Json = False) -> int:
     """Check a scenario (.toml) without running it, or a controller (.py) on bench and train.
 
     A scenario: everything that is wrong, at once, with its place (exit code 2). A controller: the

@@ -10,6 +10,7 @@ from cyclopts import Parameter
 
 from railgrip.app import results
 from railgrip.app.inputs import changes_from, formats_from, read_scenario
+from railgrip.app.options import Changes, Json
 from railgrip.app.runs import simulate_all, variants
 from railgrip.app.screen import print_json, print_table, working
 from railgrip.core.errors import Problem, RailgripError
@@ -25,12 +26,10 @@ def compare(
     measured: Path | None = None,
     channels: Annotated[Path | None, Parameter(name="--map")] = None,
     out: Path | None = None,
-    changes: Annotated[
-        list[str] | None, Parameter(name="--set", consume_multiple=True, negative="")
-    ] = None,
+    changes: Changes = None,
     figures: str = "",
     no_report: bool = False,
-    as_json: Annotated[bool, Parameter(name="--json")] = False,
+    as_json: Json = False,
 ) -> int:
     """Put runs side by side; the first is what the others are compared with.
 

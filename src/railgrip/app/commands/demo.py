@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
-
-from cyclopts import Parameter
 
 from railgrip.app import results
 from railgrip.app.commands.compare import as_json_of, show
 from railgrip.app.inputs import read_scenario
+from railgrip.app.options import Json
 from railgrip.app.runs import simulate_all, variants
 from railgrip.app.screen import print_json, working
 
@@ -18,7 +16,7 @@ def demo(
     *,
     out: Path | None = None,
     no_report: bool = False,
-    as_json: Annotated[bool, Parameter(name="--json")] = False,
+    as_json: Json = False,
 ) -> int:
     """Brake a train on a slippery real line, with and without wheel-slide protection.
 

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+from railgrip.app.options import Json
 from railgrip.app.screen import print_json, print_table
 from railgrip.core import registry
 from railgrip.core.errors import Problem, RailgripError, unknown_name
@@ -30,7 +31,7 @@ def list_names(
     kind: Annotated[str | None, Parameter(help=f"One of: {', '.join(KINDS)}.")] = None,
     /,
     *,
-    as_json: Annotated[bool, Parameter(name="--json")] = False,
+    as_json: Json = False,
 ) -> int:
     """List trains, lines, rail conditions, controllers and whatever else has a name.
 

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
-
-from cyclopts import Parameter
 
 from railgrip.app import results
 from railgrip.app.inputs import changes_from, formats_from, read_scenario
+from railgrip.app.options import Changes, Json
 from railgrip.app.screen import print_json, working
 
 
@@ -18,12 +16,10 @@ def run(
     *,
     out: Path | None = None,
     trace: str | None = None,
-    changes: Annotated[
-        list[str] | None, Parameter(name="--set", consume_multiple=True, negative="")
-    ] = None,
+    changes: Changes = None,
     figures: str = "",
     no_report: bool = False,
-    as_json: Annotated[bool, Parameter(name="--json")] = False,
+    as_json: Json = False,
 ) -> int:
     """Brake the train of a scenario; print the figures and write the report.
 
