@@ -1,7 +1,7 @@
 """railgrip: what happens between wheel and rail when a train brakes and drives.
 
-``import railgrip as rg``; then ``rg.load("leaves_160")`` describes, ``rg.simulate(scenario)`` works,
-its `Result` remembers, ``rg.compare([...])`` lays scenarios side by side.
+``import railgrip as rg``; then ``rg.load("leaves_160")`` describes, ``rg.simulate(scenario)``
+works, its `Result` remembers, ``rg.compare([...])`` lays scenarios side by side.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _FACADE = {
     "RailgripError": "railgrip.core.errors",
 }
 
-__all__ = ["Result", "RailgripError", "Scenario", "__version__", "compare", "load", "simulate"]
+__all__ = ["RailgripError", "Result", "Scenario", "__version__", "compare", "load", "simulate"]
 
 
 def __getattr__(name: str) -> Any:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -105,7 +104,6 @@ def test_a_failed_run_leaves_nothing(railgrip: Command, short: Path, tmp_path: P
     assert names_in(tmp_path) == before
 
 
-@pytest.mark.skipif(os.name == "nt", reason="signals are sent differently on Windows")
 @pytest.mark.parametrize(("sent", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_an_interrupted_run_leaves_nothing(
     short: Path, tmp_path: Path, sent: signal.Signals, code: int

@@ -84,8 +84,8 @@ def unknown_name(where: str, kind: str, word: str, known: Iterable[str]) -> Prob
 
     Examples
     --------
-    >>> str(unknown_name("wsp.controller", "controller", "conventionl", ["conventional", "none"]))
-    "wsp.controller: controller 'conventionl' unknown; known: conventional, none; did you mean 'conventional'?"
+    >>> str(unknown_name("wsp.controller", "controller", "conventionl", ["conventional"]))
+    "wsp.controller: controller 'conventionl' unknown; known: conventional; did you mean 'conventional'?"
     """
     names = sorted(known)
     text = f"{kind} '{word}' unknown; known: {', '.join(names)}"

@@ -24,7 +24,8 @@ _SENTENCES = {
     RunStatus.ARRIVED: "The train arrived at its destination.",
     RunStatus.STALLED: "The train cannot move on; try more tractive effort or a lighter train.",
     RunStatus.END_OF_TRACK: (
-        "The line ended before the train stood; try a longer line, an earlier start or a lower speed."
+        "The line ended before the train stood; "
+        "try a longer line, an earlier start or a lower speed."
     ),
     RunStatus.TIME_LIMIT: (
         "The time limit passed before the train stood; try a larger run.time_limit, "

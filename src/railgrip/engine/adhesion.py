@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from typing import Any
 
-import numba
 import numpy as np
 
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.core import registry
 from railgrip.engine import layout as at
-from railgrip.engine.compiler import inlined
+from railgrip.engine.compiler import compiled, inlined
 from railgrip.engine.plan import FloatArray, Plan
 from railgrip.scenario.scenario import Scenario
 
 CREEPAGES = np.geomspace(1e-4, 1.0, 48)
 """Creepages at which the curve is sampled: within 0.5 % of the peak of Polach's curves."""
 
-@numba.njit(error_model="numpy", _nrt=False)
+
+@compiled
 def _peaks(
     law: Any, mu: Any, ratio: Any, decay: Any, stick: Any, slip: Any,
     load: Any, slope: Any, speed: Any, creepages: Any, peak: Any,

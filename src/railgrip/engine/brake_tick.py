@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from typing import Any
 
-
 from railgrip.brake.constant_friction import ConstantFriction, constant_friction
 from railgrip.brake.dynamic_brake import DynamicBrake, dynamic_brake_limit
 from railgrip.brake.filling import Distributor, LinearFilling, distributor_rate, linear_fill_rate
@@ -18,9 +17,10 @@ from railgrip.brake.piecewise_friction import PiecewiseFriction, piecewise_frict
 from railgrip.brake.rigging import hysteresis
 from railgrip.core.formulas.piecewise_linear import Hinges
 from railgrip.core.formulas.two_node_heat import DiscHeat, two_node_heat_rates
-from railgrip.engine.offsets import width
-from railgrip.engine import layout, offsets as at
+from railgrip.engine import layout
+from railgrip.engine import offsets as at
 from railgrip.engine.compiler import inlined
+from railgrip.engine.offsets import width
 
 CUT_OFF = 4.0
 """A converter cuts its torque off so many times faster than it builds it up; illustrative."""
@@ -34,7 +34,6 @@ _constant = inlined(constant_friction)
 _karwatzki = inlined(karwatzki_1950)
 _piecewise = inlined(piecewise_friction)
 _heat_rates = inlined(two_node_heat_rates)
-
 
 
 @inlined
@@ -79,7 +78,7 @@ def _target(L: int, S: Any, b: int, k: int) -> float:
     """Return the pressure for what the dynamic brake leaves over."""
     taken = S[b + at.DYNAMIC_FORCE * L + k] * S[b + at.PER_FULL_FORCE * L + k]
     left = S[b + at.DEMAND * L + k] - taken
-    return S[b + at.FULL_PRESSURE * L + k] * max(left, 0.0)
+    return float(S[b + at.FULL_PRESSURE * L + k] * max(left, 0.0))
 
 
 @inlined
@@ -164,9 +163,7 @@ def pad_pass(lanes: Any, S: Any, b: int, brake: Any) -> None:
             clamp, rubbing, hot = _pad_inputs(L, S, b, k)
             S[b + at.PAD_FRICTION * L + k] = _karwatzki(block, clamp, rubbing, hot)
     elif law == layout.PAD_PIECEWISE:
-        pad = PiecewiseFriction(
-            brake[2], _hinges(brake, 3), _hinges(brake, 12), _hinges(brake, 21)
-        )
+        pad = PiecewiseFriction(brake[2], _hinges(brake, 3), _hinges(brake, 12), _hinges(brake, 21))
         for k in range(L):
             clamp, rubbing, hot = _pad_inputs(L, S, b, k)
             S[b + at.PAD_FRICTION * L + k] = _piecewise(pad, clamp, rubbing, hot)

@@ -15,12 +15,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import numba
+import numba as _numba
 import platformdirs
 from numba import types as nbt
 
 import railgrip
 from railgrip.contact.rail_friction import RailFriction
+
+# Numba's own type hints lack options that we need.
+numba: Any = _numba
 
 
 def _source_hash() -> str:
@@ -65,9 +68,7 @@ def _njit(function: Callable[..., Any], **options: Any) -> Any:
     Nothing here allocates; counting references of the arrays that are passed down would cost
     more than the work.
     """
-    return numba.njit(
-        _with_compiled_callees(function), error_model="numpy", _nrt=False, **options
-    )
+    return numba.njit(_with_compiled_callees(function), error_model="numpy", _nrt=False, **options)
 
 
 def inlined(function: Callable[..., Any]) -> Any:

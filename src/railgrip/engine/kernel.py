@@ -12,19 +12,25 @@ from __future__ import annotations
 import math
 from typing import Any
 
-
 from railgrip.control.rotation_monitoring import rotation_monitoring
 from railgrip.core.status import RunStatus
-from railgrip.engine.offsets import width
-from railgrip.engine import layout as at, offsets as to
+from railgrip.engine import layout as at
+from railgrip.engine import offsets as to
 from railgrip.engine.compiler import compiled, entry, inlined
+from railgrip.engine.offsets import width
 from railgrip.engine.rail import enter_cells, heat_rail, lay_sand, line_forces
 from railgrip.engine.records import finish_run, record
-from railgrip.engine.sensing import ask_for_sand, driver_demand, gather, obey, sense_pass, valve_pass
+from railgrip.engine.sensing import (
+    ask_for_sand,
+    driver_demand,
+    gather,
+    obey,
+    sense_pass,
+    valve_pass,
+)
 from railgrip.engine.start import begin_run
 from railgrip.engine.step import plant_step
 from railgrip.engine.tick import account, begin_train, hand_down, prepare_axle
-
 
 _rotation_monitoring = inlined(rotation_monitoring)
 
@@ -195,9 +201,7 @@ def leave_behind(L: int, S: Any, memory: Any, plan: Any) -> None:
 
 
 @compiled
-def _take_air(
-    L: int, S: Any, reservoirs: Any, formation: Any, n_axles: int, tick: float
-) -> None:
+def _take_air(L: int, S: Any, reservoirs: Any, formation: Any, n_axles: int, tick: float) -> None:
     vehicles, volumes = formation.vehicle_of_axle, formation.reservoir_volume
     recharge, full = formation.reservoir_recharge, formation.reservoir_pressure
     for vehicle in range(volumes.shape[0]):
@@ -235,9 +239,7 @@ def _look_for_stop(L: int, S: Any, tick: float, k: int) -> None:
 
 
 @compiled
-def _status(
-    L: int, S: Any, limit: int, after_stop: int, origin: float, end: float, k: int
-) -> int:
+def _status(L: int, S: Any, limit: int, after_stop: int, origin: float, end: float, k: int) -> int:
     """Return whether lane k goes on, or how it ends."""
     speed = S[at.TRAIN_SPEED * L + k]
     rear = S[at.POSITION * L + k] - S[at.TRAIN_LENGTH * L + k]
@@ -271,7 +273,7 @@ def look_after(L: int, S: Any, memory: Any, plan: Any, out: Any, k: int) -> int:
             b = (1 + axle) * at.N_VARS * L
             heat_rail(L, S, memory.ring_energy, 1.0 / way.cell_length, b, k)
         finish_run(L, S, plan, out, n_axles, k, status)
-    return status
+    return int(status)
 
 
 @inlined

@@ -106,8 +106,12 @@ def _timing(scenario: Scenario, control_period: float) -> Timing:
         sensor_delay=_ticks(scenario, "train.sensor.delay", train.sensor.delay),
         sensor_teeth=float(train.sensor.teeth),
         sensor_timer=train.sensor.timer,
-        vent_delay=_ticks(scenario, "train.dump_valve.vent_delay", valve.vent_delay if valve else 0),
-        fill_delay=_ticks(scenario, "train.dump_valve.fill_delay", valve.fill_delay if valve else 0),
+        vent_delay=_ticks(
+            scenario, "train.dump_valve.vent_delay", valve.vent_delay if valve else 0
+        ),
+        fill_delay=_ticks(
+            scenario, "train.dump_valve.fill_delay", valve.fill_delay if valve else 0
+        ),
         sand_delay=sander.delay if sander else 0.0,
         sand_cut_out=sander.cut_out_speed if sander else 0.0,
     )
@@ -117,9 +121,7 @@ def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
     train = scenario.train
     axles = train.axles()
     n_vehicles = len(train.vehicle)
-    masses = np.array(
-        [v.tare + p for v, p in zip(train.vehicle, scenario.payloads(), strict=True)]
-    )
+    masses = np.array([v.tare + p for v, p in zip(train.vehicle, scenario.payloads(), strict=True)])
     air = train.reservoir
     setup = np.zeros((len(axles), ctl.N_SETUP))
     for i, place in enumerate(axles):
@@ -206,7 +208,9 @@ def _conditions(scenario: Scenario, origin: float, length: float) -> tuple[Float
 
 def _profile(line: Line, origin: float) -> tuple[FloatArray, FloatArray]:
     """Return height and work of curve resistance over weight along the line."""
-    places = origin + ELEVATION_STEP * np.arange(math.ceil(line.length - origin) + 3)
+    places: FloatArray = np.array(
+        origin + ELEVATION_STEP * np.arange(math.ceil(line.length - origin) + 3), dtype=np.float64
+    )
     height = _integral([(p.at, p.value) for p in line.gradient], places)
     bends: list[tuple[float, float]] = []
     for curve in line.curve:

@@ -11,7 +11,6 @@ import numpy as np
 from railgrip.engine import layout
 from railgrip.engine.compiler import inlined
 
-
 ONE_LANE = (0,)
 SIXTEEN_LANES = (0,) * layout.LANES
 """Tuples stand for their length: Numba knows it when it compiles a pass, so that LLVM does too."""

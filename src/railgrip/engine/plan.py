@@ -112,13 +112,13 @@ class Overrides(NamedTuple):
 
     Attributes
     ----------
-    index : int array (k)
+    target : int array (k)
         Places in `Plan.parameters`, flattened.
     value : float array (run, k)
         Their values for each run.
     """
 
-    index: IntArray
+    target: IntArray
     value: FloatArray
 
 

@@ -11,12 +11,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
-
 from railgrip.core.constants import GRAVITY
 from railgrip.core.formulas.elementary import exp_decay, power_2_3
-from railgrip.engine.offsets import width
-from railgrip.engine import layout as at, offsets as to
+from railgrip.engine import layout as at
+from railgrip.engine import offsets as to
 from railgrip.engine.compiler import compiled, inlined
+from railgrip.engine.offsets import width
 from railgrip.track.cleaning import blended, left_contaminant
 from railgrip.track.random_field import lognormal_factor, next_field_value, standard_normal
 from railgrip.track.sanding import sanded_friction
@@ -113,7 +113,7 @@ def enter_cells(
     conditions, of_cell = way.conditions, way.condition_of_cell
     per_metre = 1.0 / way.cell_length
     front = (S[at.POSITION * L + k] + S[at.TRAIN_SPEED * L + k] * ahead - way.origin) * per_metre
-    cell_ahead = int(math.floor(front)) + 3
+    cell_ahead = math.floor(front) + 3
     if S[at.RAIL_FRONT * L + k] < cell_ahead:
         lay_rail(L, S, energy, factor, sand, way, k, cell_ahead)
     for axle in range(n_axles):
@@ -182,7 +182,7 @@ def lay_sand(
             place = S[at.POSITION * L + k] - S[b + at.OFFSET * L + k] - origin
             last = place * per_metre + 2.0
             first = last - moved
-            cell = int(math.floor(first))
+            cell = math.floor(first)
             within = min((float(cell + 1) - first) / moved, 1.0)
             laid = flow * tick * per_metre
             sand[(cell & mask) * L + k] += within * laid

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-
 from railgrip.control import contract as ctl
 from railgrip.core.status import RunStatus
-from railgrip.engine.compiler import compiled
 from railgrip.engine import layout as at
+from railgrip.engine.compiler import compiled
+from railgrip.engine.sensing import driver_demand
 
 STOPPED = int(RunStatus.STOPPED)
 
@@ -65,7 +65,10 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
     train[1] = S[at.POSITION * L + k]
     train[2] = -S[at.LAST_DECELERATION * L + k]
     train[3] = memory.command[k, 0, ctl.REFERENCE_SPEED]
-    train[4] = S[at.DRIVER_DEMAND * L + k]
+    timing = plan.timing
+    train[4], _ = driver_demand(
+        tick, timing.demand_tick, timing.demand_level, timing.demand_emergency
+    )
     train[5] = S[at.TRACK_BRAKE_FORCE * L + k]
     for axle in range(n_axles):
         _record_axle(L, S, memory.command[k, axle], out.trace_axle[run, row, axle], plan, axle, k)
@@ -81,8 +84,7 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
     row[1] = S[b + at.MEASURED_SPEED * L]
     row[2] = S[b + at.CONTACT_FORCE * L]
     row[3] = (
-        S[b + at.STATIC_LOAD * L]
-        + S[b + at.LOAD_TRANSFER * L] * S[at.PITCH_DECELERATION * L + k]
+        S[b + at.STATIC_LOAD * L] + S[b + at.LOAD_TRANSFER * L] * S[at.PITCH_DECELERATION * L + k]
     )
     for i in range(at.N_FRICTION):
         row[4 + i] = S[b + (at.FOUND_FRICTION + i) * L]
@@ -102,9 +104,7 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
 
 
 @compiled
-def finish_run(
-    L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status: int
-) -> None:
+def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status: int) -> None:
     """Write a run's line of outcomes."""
     run = int(S[at.RUN * L + k])
     row = out.train[run]

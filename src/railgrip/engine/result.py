@@ -66,7 +66,11 @@ class Result:
 
     @classmethod
     def from_arrays(
-        cls, scenario: Scenario, plan: Plan, out: Outcome, rail: Memory | None,
+        cls,
+        scenario: Scenario,
+        plan: Plan,
+        out: Outcome,
+        rail: Memory | None,
         wsp_parameters: dict[str, float],
     ) -> Result:
         """Name the kernel's columns."""
@@ -111,9 +115,7 @@ Variables = dict[str, tuple[tuple[str, ...], FloatArray]]
 
 def _outcomes(scenario: Scenario, out: Outcome) -> Variables:
     table = dict(zip(TRAIN_OUTCOMES, out.train.T, strict=True))
-    found: Variables = {
-        name: (("run",), table[name]) for name in TRAIN_OUTCOMES if name in SIGNALS
-    }
+    found: Variables = {name: (("run",), table[name]) for name in TRAIN_OUTCOMES if name in SIGNALS}
     found["status"] = (("run",), table["status"].astype(np.int8))
     speed = table["initial_speed"]
     distance = table["stopping_distance"] - speed * table["build_up_time"]
@@ -240,7 +242,7 @@ def _rail(plan: Plan, rail: Memory, front: float) -> tuple[Variables, FloatArray
     n_cells = int((front - way.origin) / way.cell_length) + 2
     n_cells = min(max(n_cells, 0), len(rail.ring_energy), len(way.condition_of_cell))
     cells = np.arange(n_cells)
-    position = way.origin + (cells + 0.5) * way.cell_length
+    position = np.array(way.origin + (cells + 0.5) * way.cell_length, dtype=np.float64)
     rows = way.conditions[way.condition_of_cell[:n_cells]]
     before = rows[:, 0] * rail.ring_factor[:n_cells]
     clean = np.maximum(rows[:, 5], before)

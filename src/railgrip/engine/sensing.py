@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
-
 from railgrip.control import contract as ctl
+from railgrip.engine import layout as at
+from railgrip.engine import offsets as to
 from railgrip.engine.compiler import compiled, inlined
 from railgrip.engine.offsets import width
-from railgrip.engine import layout as at, offsets as to
-
 
 SILENCE = 0.5
 """A wheel without an edge for so long counts as standing, s."""

@@ -13,7 +13,8 @@ from railgrip.control.rotation_monitoring import rotation_state_size
 from railgrip.core import registry
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.core.status import RunStatus
-from railgrip.engine import kernel, layout as at
+from railgrip.engine import kernel
+from railgrip.engine import layout as at
 from railgrip.engine.compiler import CREEP_LAW, creep_law, first_class
 from railgrip.engine.controllers import (
     Compiled,
@@ -63,7 +64,9 @@ def prepare(scenario: Scenario, controller: Any = None) -> Prepared:
     controller : controller, optional
         Used in place of the one that the scenario names.
     """
-    controller = find_controller(scenario.wsp, scenario.run.step) if controller is None else controller
+    controller = (
+        find_controller(scenario.wsp, scenario.run.step) if controller is None else controller
+    )
     chosen = (
         compiled(controller, scenario.train.n_axles) if is_compiled(controller) else no_kernel()
     )
@@ -165,8 +168,8 @@ def simulate(
         How many runs, ≥ 1. Run i sees the i-th random rail; without a random field and without
         variations all are equal.
     variations : mapping, optional
-        Numbers that differ from run to run: ``{"INITIAL_SPEED": [...], ("STATIC_LOAD", 3): [...]}``,
-        names as in `railgrip.engine.layout`.
+        Numbers that differ from run to run, named as in `railgrip.engine.layout`:
+        ``{"INITIAL_SPEED": [...], ("STATIC_LOAD", 3): [...]}``.
     traces : bool, optional
         Keep the way of every run; default: for a single run only.
     threads : int
@@ -208,8 +211,8 @@ def simulate(
         rail = _run_compiled(prepared, changes, out, threads, traced, progress)
     else:
         rail = _run_plain(prepared, changes, out, traced, progress)
-    parameters = getattr(prepared.controller, "parameters", None)
-    named = parameters._asdict() if hasattr(parameters, "_asdict") else {}
+    parameters: Any = getattr(prepared.controller, "parameters", None)
+    named = dict(parameters._asdict()) if hasattr(parameters, "_asdict") else {}
     return Result.from_arrays(prepared.scenario, prepared.plan, out, rail, named)
 
 
@@ -224,9 +227,8 @@ def _run_compiled(
 ) -> Memory | None:
     runs = len(out.train)
     # A few runs are cheaper one by one than in lanes that mostly idle.
-    run_kernel, lanes = (
-        (kernel.run_single, 1) if runs < 4 else (kernel.run_lanes, at.LANES)
-    )
+    run_kernel, lanes = (kernel.run_single, 1) if runs < 4 else (kernel.run_lanes, at.LANES)
+
     def work(bounds: tuple[int, int]) -> Memory:
         own = memory(prepared, lanes, traced and lanes == 1)
         run_kernel(

@@ -5,19 +5,15 @@ from __future__ import annotations
 import math
 from typing import Any
 
-
 from railgrip.control import contract as ctl
-from railgrip.engine.compiler import compiled
 from railgrip.engine import layout as at
+from railgrip.engine.compiler import compiled
 from railgrip.engine.rail import enter_cells, field_before, lay_rail
 from railgrip.engine.records import kinetic_energy
 
 
-
 @compiled
-def begin_run(
-    L: int, S: Any, memory: Any, plan: Any, overrides: Any, k: int, run: int
-) -> None:
+def begin_run(L: int, S: Any, memory: Any, plan: Any, overrides: Any, k: int, run: int) -> None:
     """Put lane k at the start of a run."""
     n_axles = plan.formation.vehicle_of_axle.shape[0]
     for i in range((1 + n_axles) * at.N_VARS):
@@ -26,9 +22,9 @@ def begin_run(
         first = block * at.N_VARS + at.FIRST_PARAMETER
         for i in range(plan.parameters.shape[1]):
             S[(first + i) * L + k] = plan.parameters[block, i]
-    for i in range(overrides.index.shape[0]):
-        block = overrides.index[i] // at.N_PARAMETERS
-        place = overrides.index[i] % at.N_PARAMETERS
+    for i in range(overrides.target.shape[0]):
+        block = overrides.target[i] // at.N_PARAMETERS
+        place = overrides.target[i] % at.N_PARAMETERS
         S[(block * at.N_VARS + at.FIRST_PARAMETER + place) * L + k] = overrides.value[run, i]
     S[at.RUN * L + k] = float(run)
     S[at.STOP_TIME * L + k] = -1.0
@@ -49,10 +45,10 @@ def _begin_rail(L: int, S: Any, memory: Any, way: Any, n_axles: int, k: int) -> 
     energy, factor, sand = memory.ring_energy, memory.ring_factor, memory.ring_sand
     front = S[at.POSITION * L + k]
     rear = front - S[at.TRAIN_LENGTH * L + k]
-    first = int(math.floor((rear - way.origin) / way.cell_length)) - 3
+    first = math.floor((rear - way.origin) / way.cell_length) - 3
     S[at.RAIL_FRONT * L + k] = float(first - 1)
     S[at.FIELD * L + k] = field_before(way, int(S[at.RUN * L + k]), first)
-    ahead = int(math.floor((front - way.origin) / way.cell_length)) + 3
+    ahead = math.floor((front - way.origin) / way.cell_length) + 3
     lay_rail(L, S, energy, factor, sand, way, k, ahead)
     for axle in range(n_axles):
         b = (1 + axle) * at.N_VARS * L

@@ -22,15 +22,15 @@ from __future__ import annotations
 import math
 from typing import Any
 
-
 from railgrip.contact.falling_friction import falling_friction
 from railgrip.contact.freibauer_1983 import freibauer_1983
 from railgrip.contact.polach_2005 import polach_2005
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.contact.shen_hedrick_elkins_1983 import shen_hedrick_elkins_1983
-from railgrip.engine.offsets import width
-from railgrip.engine import layout, offsets as at
+from railgrip.engine import layout
+from railgrip.engine import offsets as at
 from railgrip.engine.compiler import inlined
+from railgrip.engine.offsets import width
 
 LEAST_ROLLING_SPEED = 1e-3
 """Floor of the speed that creepage is formed with, m/s: at a stand every creepage is small."""
@@ -49,7 +49,6 @@ _falling = inlined(falling_friction)
 _polach = inlined(polach_2005)
 _freibauer = inlined(freibauer_1983)
 _shen = inlined(shen_hedrick_elkins_1983)
-
 
 
 @inlined
@@ -166,9 +165,7 @@ def _condense_pass(lanes: Any, S: Any, b: int, h: float) -> None:
 
 
 @inlined
-def _wheel(
-    L: int, S: Any, b: int, k: int, h: float, per_step: float
-) -> tuple[float, float, float]:
+def _wheel(L: int, S: Any, b: int, k: int, h: float, per_step: float) -> tuple[float, float, float]:
     """Return wheel speed, contact force and brake impulse of one axle after the step."""
     front = b - at.N_VARS * L
     train_speed = S[front + at.HERE_PREDICTED * L + k]
@@ -233,11 +230,12 @@ def _head_pass(lanes: Any, S: Any) -> None:
 @inlined
 def _resistance(L: int, S: Any, k: int) -> float:
     speed = abs(S[at.TRAIN_SPEED * L + k])
-    return (
+    resistance: float = (
         S[at.RESISTANCE_CONSTANT * L + k]
         + S[at.CURVE_FORCE * L + k]
         + speed * (S[at.RESISTANCE_LINEAR * L + k] + speed * S[at.RESISTANCE_QUADRATIC * L + k])
     )
+    return resistance
 
 
 @inlined
@@ -262,9 +260,7 @@ def _predict_pass(lanes: Any, S: Any, last: int, h: float) -> None:
 
 
 @inlined
-def _train(
-    L: int, S: Any, last: int, k: int, h: float
-) -> tuple[float, float, float, float]:
+def _train(L: int, S: Any, last: int, k: int, h: float) -> tuple[float, float, float, float]:
     """Return train speed, pitching, and what resistance and track brake took, after the step."""
     start = S[at.TRAIN_SPEED * L + k]
     force = S[last + at.FORCE_SO_FAR * L + k]

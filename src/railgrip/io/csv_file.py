@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from railgrip.core.atomic import write_aside
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.core.signals import SIGNALS
-from railgrip.core.atomic import write_aside
 
 if TYPE_CHECKING:
     import xarray as xr

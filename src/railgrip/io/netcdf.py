@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.atomic import write_aside
+from railgrip.core.errors import Problem, RailgripError
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -1,4 +1,4 @@
-"""How deceleration shifts load between axles: body onto the front bogie, bogie onto its front axle."""
+"""How deceleration shifts load: body onto the front bogie, bogie onto its front axle."""
 
 from __future__ import annotations
 
@@ -6,8 +6,12 @@ from collections.abc import Sequence
 
 
 def load_transfer(
-    positions: Sequence[float], masses: Sequence[float], heights: Sequence[float],
-    body_mass: float, body_height: float, traction_heights: Sequence[float],
+    positions: Sequence[float],
+    masses: Sequence[float],
+    heights: Sequence[float],
+    body_mass: float,
+    body_height: float,
+    traction_heights: Sequence[float],
     wheelbases: Sequence[Sequence[float]],
 ) -> list[list[float]]:
     """Return the load that each axle gains per deceleration, bogie by bogie.
