@@ -84,8 +84,8 @@ def unknown_name(where: str, kind: str, word: str, known: Iterable[str]) -> Prob
 
     Examples
     --------
-    >>> str(unknown_name("wsp.controller", "controller", "conventionl", ["conventional"]))
-    "wsp.controller: controller 'conventionl' unknown; known: conventional; did you mean 'conventional'?"
+    >>> str(unknown_name("brake", "pad", "organik", ["organic", "sinter"]))
+    "brake: pad 'organik' unknown; known: organic, sinter; did you mean 'organic'?"
     """
     names = sorted(known)
     text = f"{kind} '{word}' unknown; known: {', '.join(names)}"

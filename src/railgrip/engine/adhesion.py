@@ -6,29 +6,42 @@ from typing import Any
 
 import numpy as np
 
+from railgrip.contact.polach_2005 import polach_2005
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.core import registry
 from railgrip.engine import layout as at
-from railgrip.engine.compiler import compiled, inlined
+from railgrip.engine.compiler import compiled, entry, inlined
+from railgrip.engine.offsets import as_offset
 from railgrip.engine.plan import FloatArray, Plan
 from railgrip.scenario.scenario import Scenario
+
+_polach = inlined(polach_2005)
 
 CREEPAGES = np.geomspace(1e-4, 1.0, 48)
 """Creepages at which the curve is sampled: within 0.5 % of the peak of Polach's curves."""
 
 
-@compiled
-def _peaks(
+@inlined
+def _peaks_of(
     law: Any, mu: Any, ratio: Any, decay: Any, stick: Any, slip: Any,
     load: Any, slope: Any, speed: Any, creepages: Any, peak: Any,
 ) -> None:  # fmt: skip
-    n = np.uint64(load.shape[0])
+    n = as_offset(load.shape[0])
     for j in range(creepages.shape[0]):
         creepage = creepages[j]
         for i in range(n):
             rail = RailFriction(mu[i], ratio[i], decay[i], stick[i], slip[i])
             force = law(rail, load[i], slope[i], creepage * speed[i], creepage)
             peak[i] = max(peak[i], force / load[i])
+
+
+@entry
+def _peaks_polach(
+    mu: Any, ratio: Any, decay: Any, stick: Any, slip: Any,
+    load: Any, slope: Any, speed: Any, creepages: Any, peak: Any,
+) -> None:  # fmt: skip
+    """Peaks of the default law: kept compiled on disk."""
+    _peaks_of(_polach, mu, ratio, decay, stick, slip, load, slope, speed, creepages, peak)
 
 
 def available_adhesion(
@@ -38,7 +51,6 @@ def available_adhesion(
 
     Own cleaning in the contact is left out: it is what the rail offers as it lies there.
     """
-    law = inlined(registry.resolve("railgrip.laws", scenario.run.creep_law))
     shape = of_axle["wheel_load"].shape
 
     def per_axle(offset: int) -> FloatArray:
@@ -54,6 +66,11 @@ def available_adhesion(
     state = [np.ascontiguousarray(of_axle[name].ravel()) for name in names]
     speeds = np.ascontiguousarray(np.broadcast_to(speed, shape)).ravel()
     peak = np.zeros_like(load)
-    _peaks(law, *state, load, slope, speeds, CREEPAGES, peak)
+    arguments = (*state, load, slope, speeds, CREEPAGES, peak)
+    if scenario.run.creep_law == "polach_2005":
+        _peaks_polach(*arguments)
+    else:
+        law = inlined(registry.resolve("railgrip.laws", scenario.run.creep_law))
+        compiled(_peaks_of.py_func)(law, *arguments)
     peak[np.isnan(load)] = np.nan
     return peak.reshape(shape)

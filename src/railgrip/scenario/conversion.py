@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 MOST_CHARACTERS = 80
@@ -38,8 +39,14 @@ def round15(number: float) -> float:
 @cache
 def _registry() -> Any:
     import pint
+    import platformdirs
 
-    return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
+    # pint reads its definitions ten times faster from its own cache; without one it works too.
+    folder = Path(platformdirs.user_cache_dir("railgrip")) / "units"
+    try:
+        return pint.UnitRegistry(autoconvert_offset_to_baseunit=True, cache_folder=folder)
+    except OSError:
+        return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 
 
 @cache
