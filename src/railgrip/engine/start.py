@@ -56,6 +56,14 @@ def _begin_rail(L: int, S: Any, memory: Any, way: Any, n_axles: int, k: int) -> 
         # two cells back: entering then reads both cells that the wheel stands between
         S[b + at.CELL * L + k] = math.floor(place) - 2.0
     enter_cells(L, S, energy, factor, sand, way, n_axles, 0.0, k)
+    for axle in range(n_axles):
+        b = (1 + axle) * at.N_VARS * L
+        place = (front - S[b + at.OFFSET * L + k] - way.origin) / way.cell_length - 0.5
+        share = place - S[b + at.CELL * L + k]
+        for i in range(at.N_FRICTION):
+            behind = S[b + (at.BEHIND_FRICTION + i) * L + k]
+            step = S[b + (at.AHEAD_FRICTION + i) * L + k] - behind
+            S[b + (at.FOUND_FRICTION + i) * L + k] = behind + share * step
 
 
 @compiled
