@@ -81,3 +81,34 @@ def test_order(coach: Coach, case: dict[str, float]) -> None:
     assert (np.diff(found) < 0.0).all(), found
     order = np.log2(found[0] / found[-1]) / (len(STEPS) - 1)
     assert order > 1.7, found
+
+
+def test_order_with_a_dynamic_brake() -> None:
+    """The four-car unit on dry rail: blending, fading, heat and pads that feel speed and heat."""
+    described = rg.load("dry_emergency").with_({
+        "train.dump_valve.vent_delay": 0.0,
+        "train.dump_valve.fill_delay": 0.0,
+        "train.sensor.delay": 0.0,
+        "run.trace": 0.02,
+    })  # fmt: skip
+
+    def distance(step: float) -> float:
+        scenario = described.with_({"run.step": step})
+        result = rg.simulate(scenario, controller=Replay(works=False), traces=False)
+        return float(result["stopping_distance"].values[0])
+
+    exact = distance(REFERENCE)
+    found = np.array([abs(distance(step) - exact) for step in STEPS])
+    assert np.log2(found[0] / found[-1]) / (len(STEPS) - 1) > 1.7, found
+
+
+def test_the_protection_does_not_feel_the_step() -> None:
+    """On dry rail no valve works, at whatever step the plant is computed."""
+    described = rg.load("dry_emergency").with_({
+        "train.dump_valve.vent_delay": 0.0,
+        "train.dump_valve.fill_delay": 0.0,
+        "run.trace": 0.02,
+    })  # fmt: skip
+    for step in (0.01, 0.002, 0.001):
+        result = rg.simulate(described.with_({"run.step": step}), traces=False)
+        assert result["axle_valve_cycles"].values.sum() == 0.0, step

@@ -131,33 +131,60 @@ def _contact_pass(lanes: Any, S: Any, b: int, creep_law: int, custom: Any) -> No
 
 
 @inlined
-def _condense_pass(lanes: Any, S: Any, b: int, h: float) -> None:
-    """Eliminate the wheel: what is left of it is a force and a stiffness against train speed."""
+def _condense(
+    L: int, S: Any, b: int, k: int, per_step: float
+) -> tuple[float, float, float, float, float, float]:
+    """Eliminate the wheel: what is left of it is a force and a stiffness against train speed.
+
+    Returns these two, then what the wheel needs to be found again: carried force, stiffness of
+    the contact, forced momentum rate, and one over inertia and stiffness.
+    """
+    train_speed = S[b + at.HERE_SPEED * L + k]
+    wheel_speed = S[b + at.WHEEL_SPEED * L + k]
+    mass = S[b + at.ROTATING_MASS * L + k] * per_step
+    limit = S[b + at.BRAKE_LIMIT * L + k]
+    sigma = S[b + at.RELAXATION_LENGTH * L + k] * per_step
+    damping = 1.0 / (sigma + S[b + at.ROLLING * L + k])
+    carried = sigma * S[b + at.CONTACT_FORCE * L + k] * damping
+    stiffness = S[b + at.CHORD * L + k] * damping
+    forced = mass * wheel_speed - S[b + at.DYNAMIC_ACTING * L + k]
+    brake = math.copysign(limit, wheel_speed) if wheel_speed != 0.0 else 0.0
+    share = 1.0 / (mass + stiffness)
+    free = (forced - carried - brake) * share
+    # a wheel that this brake locks contributes as a locked wheel
+    turns = (free + stiffness * share * train_speed) * wheel_speed
+    rotates = 0.0 if (turns <= 0.0 and limit > 0.0) else 1.0
+    force = carried + stiffness * free * rotates
+    against = stiffness * (1.0 - stiffness * share * rotates)
+    return force, against, carried, stiffness, forced, share
+
+
+@inlined
+def _condense_whole_pass(lanes: Any, S: Any, b: int, h: float) -> None:
     L = width(lanes)
     front = b - at.N_VARS * L
     per_step = 1.0 / h
     for k in range(L):
-        train_speed = S[b + at.HERE_SPEED * L + k]
-        wheel_speed = S[b + at.WHEEL_SPEED * L + k]
-        mass = S[b + at.ROTATING_MASS * L + k] * per_step
-        limit = S[b + at.BRAKE_LIMIT * L + k]
-        sigma = S[b + at.RELAXATION_LENGTH * L + k] * per_step
-        damping = 1.0 / (sigma + S[b + at.ROLLING * L + k])
-        carried = sigma * S[b + at.CONTACT_FORCE * L + k] * damping
-        stiffness = S[b + at.CHORD * L + k] * damping
-        forced = mass * wheel_speed - S[b + at.DYNAMIC_ACTING * L + k]
-        brake = math.copysign(limit, wheel_speed) if wheel_speed != 0.0 else 0.0
-        share = 1.0 / (mass + stiffness)
-        free = (forced - carried - brake) * share
-        # a wheel that this brake locks contributes as a locked wheel
-        turns = (free + stiffness * share * train_speed) * wheel_speed
-        rotates = 0.0 if (turns <= 0.0 and limit > 0.0) else 1.0
-        S[b + at.FORCE_SO_FAR * L + k] = S[front + at.FORCE_SO_FAR * L + k] + (
-            carried + stiffness * free * rotates
+        force, against, carried, stiffness, forced, share = _condense(L, S, b, k, per_step)
+        S[b + at.WHOLE_FORCE_SO_FAR * L + k] = S[front + at.WHOLE_FORCE_SO_FAR * L + k] + force
+        S[b + at.WHOLE_STIFFNESS_SO_FAR * L + k] = (
+            S[front + at.WHOLE_STIFFNESS_SO_FAR * L + k] + against
         )
-        S[b + at.STIFFNESS_SO_FAR * L + k] = S[front + at.STIFFNESS_SO_FAR * L + k] + (
-            stiffness * (1.0 - stiffness * share * rotates)
-        )
+        S[b + at.WHOLE_CARRIED * L + k] = carried
+        S[b + at.WHOLE_STIFFNESS * L + k] = stiffness
+        S[b + at.WHOLE_FORCED * L + k] = forced
+        S[b + at.WHOLE_SHARE * L + k] = share
+
+
+@inlined
+def _condense_half_pass(lanes: Any, S: Any, b: int, h: float) -> None:
+    L = width(lanes)
+    front = b - at.N_VARS * L
+    per_step = 1.0 / h
+    for k in range(L):
+        force, against, carried, stiffness, forced, share = _condense(L, S, b, k, per_step)
+        S[b + at.FORCE_SO_FAR * L + k] = S[front + at.FORCE_SO_FAR * L + k] + force
+        S[b + at.STIFFNESS_SO_FAR * L + k] = S[front + at.STIFFNESS_SO_FAR * L + k] + against
         S[b + at.CARRIED * L + k] = carried
         S[b + at.STIFFNESS * L + k] = stiffness
         S[b + at.FORCED * L + k] = forced
@@ -165,19 +192,13 @@ def _condense_pass(lanes: Any, S: Any, b: int, h: float) -> None:
 
 
 @inlined
-def _wheel(L: int, S: Any, b: int, k: int, h: float, per_step: float) -> tuple[float, float, float]:
-    """Return wheel speed, contact force and brake impulse of one axle after the step."""
-    front = b - at.N_VARS * L
-    train_speed = S[front + at.HERE_PREDICTED * L + k]
-    S[b + at.HERE_PREDICTED * L + k] = train_speed
-    mass = S[b + at.ROTATING_MASS * L + k] * per_step
-    limit = S[b + at.FRICTION_LIMIT * L + k]
-    brake = S[b + at.BRAKE_LIMIT * L + k]
-    carried = S[b + at.CARRIED * L + k]
-    stiffness = S[b + at.STIFFNESS * L + k]
-    forced = S[b + at.FORCED * L + k]
+def _wheel(
+    mass: float, limit: float, brake: float, train_speed: float, h: float,
+    carried: float, stiffness: float, forced: float, share: float,
+) -> tuple[float, float, float]:  # fmt: skip
+    """Return wheel speed, contact force and brake impulse of one axle after a step."""
     free = forced - carried + stiffness * train_speed
-    speed = math.copysign(max(abs(free) - brake, 0.0) * S[b + at.SHARE * L + k], free)
+    speed = math.copysign(max(abs(free) - brake, 0.0) * share, free)
     contact = carried + stiffness * (speed - train_speed)
     bounded = min(max(contact, -limit), limit)
     # at its limit the contact force no longer depends on the speeds
@@ -185,18 +206,30 @@ def _wheel(L: int, S: Any, b: int, k: int, h: float, per_step: float) -> tuple[f
     slipping = math.copysign(max(abs(free) - brake, 0.0) / mass, free)
     speed = slipping if contact != bounded else speed
     # forced holds the old momentum less the dynamic brake: what is missing took the brake
-    brake_impulse = h * (forced - mass * speed - bounded)
-    S[b + at.FORCE_SO_FAR * L + k] = S[front + at.FORCE_SO_FAR * L + k] + bounded
-    return speed, bounded, brake_impulse
+    return speed, bounded, h * (forced - mass * speed - bounded)
 
 
 @inlined
 def _whole_wheel_pass(lanes: Any, S: Any, b: int, h: float) -> None:
     """The wheel after the whole step: kept aside."""
     L = width(lanes)
+    front = b - at.N_VARS * L
     per_step = 1.0 / h
     for k in range(L):
-        speed, contact, brake_impulse = _wheel(L, S, b, k, h, per_step)
+        train_speed = S[front + at.WHOLE_PREDICTED * L + k]
+        S[b + at.WHOLE_PREDICTED * L + k] = train_speed
+        speed, contact, brake_impulse = _wheel(
+            S[b + at.ROTATING_MASS * L + k] * per_step,
+            S[b + at.FRICTION_LIMIT * L + k],
+            S[b + at.BRAKE_LIMIT * L + k],
+            train_speed,
+            h,
+            S[b + at.WHOLE_CARRIED * L + k],
+            S[b + at.WHOLE_STIFFNESS * L + k],
+            S[b + at.WHOLE_FORCED * L + k],
+            S[b + at.WHOLE_SHARE * L + k],
+        )
+        S[b + at.WHOLE_FORCE_SO_FAR * L + k] = S[front + at.WHOLE_FORCE_SO_FAR * L + k] + contact
         S[b + (at.WHOLE_STEP + at.WHEEL_SPEED) * L + k] = speed
         S[b + (at.WHOLE_STEP + at.CONTACT_FORCE) * L + k] = contact
         S[b + (at.WHOLE_STEP + at.CONTACT_IMPULSE) * L + k] = h * contact
@@ -207,13 +240,34 @@ def _whole_wheel_pass(lanes: Any, S: Any, b: int, h: float) -> None:
 def _half_wheel_pass(lanes: Any, S: Any, b: int, h: float) -> None:
     """The wheel after a half step."""
     L = width(lanes)
+    front = b - at.N_VARS * L
     per_step = 1.0 / h
     for k in range(L):
-        speed, contact, brake_impulse = _wheel(L, S, b, k, h, per_step)
+        train_speed = S[front + at.HERE_PREDICTED * L + k]
+        S[b + at.HERE_PREDICTED * L + k] = train_speed
+        speed, contact, brake_impulse = _wheel(
+            S[b + at.ROTATING_MASS * L + k] * per_step,
+            S[b + at.FRICTION_LIMIT * L + k],
+            S[b + at.BRAKE_LIMIT * L + k],
+            train_speed,
+            h,
+            S[b + at.CARRIED * L + k],
+            S[b + at.STIFFNESS * L + k],
+            S[b + at.FORCED * L + k],
+            S[b + at.SHARE * L + k],
+        )
+        S[b + at.FORCE_SO_FAR * L + k] = S[front + at.FORCE_SO_FAR * L + k] + contact
         S[b + at.WHEEL_SPEED * L + k] = speed
         S[b + at.CONTACT_FORCE * L + k] = contact
         S[b + at.CONTACT_IMPULSE * L + k] += h * contact
         S[b + at.BRAKE_IMPULSE * L + k] += brake_impulse
+
+
+@inlined
+def _extrapolate_pass(lanes: Any, S: Any, b: int) -> None:
+    """Richardson: twice the two halves less the whole."""
+    for i in range(at.N_STATES * width(lanes)):
+        S[b + i] = 2.0 * S[b + i] - S[b + at.WHOLE_STEP * width(lanes) + i]
 
 
 @inlined
@@ -225,6 +279,8 @@ def _head_pass(lanes: Any, S: Any) -> None:
         S[at.HERE_PITCH * L + k] = S[at.PITCH_DECELERATION * L + k]
         S[at.FORCE_SO_FAR * L + k] = 0.0
         S[at.STIFFNESS_SO_FAR * L + k] = 0.0
+        S[at.WHOLE_FORCE_SO_FAR * L + k] = 0.0
+        S[at.WHOLE_STIFFNESS_SO_FAR * L + k] = 0.0
 
 
 @inlined
@@ -248,22 +304,30 @@ def _speed_after(L: int, S: Any, k: int, force: float, stiffness: float, h: floa
 
 
 @inlined
-def _predict_pass(lanes: Any, S: Any, last: int, h: float) -> None:
+def _predict_whole_pass(lanes: Any, S: Any, last: int, h: float) -> None:
     """Solve the arrow for v; the axles need it before their forces are final."""
+    L = width(lanes)
+    for k in range(L):
+        force = S[last + at.WHOLE_FORCE_SO_FAR * L + k]
+        stiffness = S[last + at.WHOLE_STIFFNESS_SO_FAR * L + k]
+        S[at.WHOLE_PREDICTED * L + k] = _speed_after(L, S, k, force, stiffness, h)
+        S[at.WHOLE_FORCE_SO_FAR * L + k] = 0.0
+
+
+@inlined
+def _predict_half_pass(lanes: Any, S: Any, last: int, h: float) -> None:
     L = width(lanes)
     for k in range(L):
         force = S[last + at.FORCE_SO_FAR * L + k]
         stiffness = S[last + at.STIFFNESS_SO_FAR * L + k]
         S[at.HERE_PREDICTED * L + k] = _speed_after(L, S, k, force, stiffness, h)
         S[at.FORCE_SO_FAR * L + k] = 0.0
-        S[at.STIFFNESS_SO_FAR * L + k] = 0.0
 
 
 @inlined
-def _train(L: int, S: Any, last: int, k: int, h: float) -> tuple[float, float, float, float]:
-    """Return train speed, pitching, and what resistance and track brake took, after the step."""
+def _train(L: int, S: Any, k: int, force: float, h: float) -> tuple[float, float, float, float]:
+    """Return train speed, pitching, and what resistance and track brake took, after a step."""
     start = S[at.TRAIN_SPEED * L + k]
-    force = S[last + at.FORCE_SO_FAR * L + k]
     speed = _speed_after(L, S, k, force, 0.0, h)
     # what dry friction really took, shared as resistance and track brake pull
     pull = h * (force - S[at.GRADIENT_FORCE * L + k])
@@ -279,7 +343,8 @@ def _train(L: int, S: Any, last: int, k: int, h: float) -> tuple[float, float, f
 def _whole_train_pass(lanes: Any, S: Any, last: int, h: float) -> None:
     L = width(lanes)
     for k in range(L):
-        speed, pitch, resistance, track_brake = _train(L, S, last, k, h)
+        force = S[last + at.WHOLE_FORCE_SO_FAR * L + k]
+        speed, pitch, resistance, track_brake = _train(L, S, k, force, h)
         S[(at.WHOLE_STEP + at.TRAIN_SPEED) * L + k] = speed
         S[(at.WHOLE_STEP + at.PITCH_DECELERATION) * L + k] = pitch
         S[(at.WHOLE_STEP + at.RESISTANCE_IMPULSE) * L + k] = resistance
@@ -290,7 +355,8 @@ def _whole_train_pass(lanes: Any, S: Any, last: int, h: float) -> None:
 def _half_train_pass(lanes: Any, S: Any, last: int, h: float) -> None:
     L = width(lanes)
     for k in range(L):
-        speed, pitch, resistance, track_brake = _train(L, S, last, k, h)
+        force = S[last + at.FORCE_SO_FAR * L + k]
+        speed, pitch, resistance, track_brake = _train(L, S, k, force, h)
         S[at.TRAIN_SPEED * L + k] = speed
         S[at.PITCH_DECELERATION * L + k] = pitch
         S[at.RESISTANCE_IMPULSE * L + k] += resistance
@@ -298,51 +364,45 @@ def _half_train_pass(lanes: Any, S: Any, last: int, h: float) -> None:
 
 
 @inlined
-def whole_step(lanes: Any, S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> None:
-    """Step by h; the states stay, what they became is kept aside."""
-    block = at.N_VARS * width(lanes)
-    last = n_axles * block
-    _head_pass(lanes, S)
-    for axle in range(n_axles):
-        b = (axle + at.AXLE_BLOCK) * block
-        _contact_pass(lanes, S, b, creep_law, custom)
-        _condense_pass(lanes, S, b, h)
-    _predict_pass(lanes, S, last, h)
-    for axle in range(n_axles):
-        _whole_wheel_pass(lanes, S, (axle + at.AXLE_BLOCK) * block, h)
-    _whole_train_pass(lanes, S, last, h)
-
-
-@inlined
-def first_half_step(lanes: Any, S: Any, n_axles: int, h: float) -> None:
-    """Step by h from where the whole step began: the contact is known from there."""
-    block = at.N_VARS * width(lanes)
-    last = n_axles * block
-    _head_pass(lanes, S)
-    for axle in range(n_axles):
-        _condense_pass(lanes, S, (axle + at.AXLE_BLOCK) * block, h)
-    _predict_pass(lanes, S, last, h)
-    for axle in range(n_axles):
-        _half_wheel_pass(lanes, S, (axle + at.AXLE_BLOCK) * block, h)
-    _half_train_pass(lanes, S, last, h)
-
-
-@inlined
-def second_half_step(
+def _whole_and_first_half(
     lanes: Any, S: Any, n_axles: int, creep_law: int, custom: Any, h: float
 ) -> None:
-    """Step by h once more."""
+    """Step by h, kept aside, and by h/2: both begin at one state, so they share the contact."""
     block = at.N_VARS * width(lanes)
     last = n_axles * block
     _head_pass(lanes, S)
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * block
         _contact_pass(lanes, S, b, creep_law, custom)
-        _condense_pass(lanes, S, b, h)
-    _predict_pass(lanes, S, last, h)
+        _condense_whole_pass(lanes, S, b, h)
+        _condense_half_pass(lanes, S, b, 0.5 * h)
+    _predict_whole_pass(lanes, S, last, h)
+    _predict_half_pass(lanes, S, last, 0.5 * h)
     for axle in range(n_axles):
-        _half_wheel_pass(lanes, S, (axle + at.AXLE_BLOCK) * block, h)
-    _half_train_pass(lanes, S, last, h)
+        b = (axle + at.AXLE_BLOCK) * block
+        _whole_wheel_pass(lanes, S, b, h)
+        _half_wheel_pass(lanes, S, b, 0.5 * h)
+    _whole_train_pass(lanes, S, last, h)
+    _half_train_pass(lanes, S, last, 0.5 * h)
+
+
+@inlined
+def _second_half(lanes: Any, S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> None:
+    """Step by h/2 once more, and extrapolate."""
+    block = at.N_VARS * width(lanes)
+    last = n_axles * block
+    _head_pass(lanes, S)
+    for axle in range(n_axles):
+        b = (axle + at.AXLE_BLOCK) * block
+        _contact_pass(lanes, S, b, creep_law, custom)
+        _condense_half_pass(lanes, S, b, 0.5 * h)
+    _predict_half_pass(lanes, S, last, 0.5 * h)
+    for axle in range(n_axles):
+        b = (axle + at.AXLE_BLOCK) * block
+        _half_wheel_pass(lanes, S, b, 0.5 * h)
+        _extrapolate_pass(lanes, S, b)
+    _half_train_pass(lanes, S, last, 0.5 * h)
+    _extrapolate_pass(lanes, S, at.TRAIN_BLOCK)
 
 
 @inlined
@@ -352,11 +412,5 @@ def plant_step(lanes: Any, S: Any, n_axles: int, creep_law: int, custom: Any, h:
     Richardson's extrapolation of the step: 2 × two halves − one whole. It is linear in the
     states, so momentum stays exact, and so does energy with the tick's mean speeds.
     """
-    L = width(lanes)
-    whole_step(lanes, S, n_axles, creep_law, custom, h)
-    first_half_step(lanes, S, n_axles, 0.5 * h)
-    second_half_step(lanes, S, n_axles, creep_law, custom, 0.5 * h)
-    for block in range(n_axles + at.AXLE_BLOCK):
-        b = block * at.N_VARS * L
-        for i in range(at.N_STATES * L):
-            S[b + i] = 2.0 * S[b + i] - S[b + at.WHOLE_STEP * L + i]
+    _whole_and_first_half(lanes, S, n_axles, creep_law, custom, h)
+    _second_half(lanes, S, n_axles, creep_law, custom, h)

@@ -1,0 +1,123 @@
+"""The physics step of sixteen lanes is packed arithmetic: an edit could lose that in silence.
+
+Divisions are what to count: every pass over the lanes has some, and they are dear. Within the loop
+over the axles none may be scalar. Each built-in creep law is compiled alone, since the step for
+somebody's own law calls it lane by lane.
+"""
+
+from __future__ import annotations
+
+import platform
+import re
+from typing import Any, NamedTuple
+
+import numba
+import numpy as np
+import pytest
+from numba import types
+
+from railgrip.engine import kernel
+from railgrip.engine.compiler import CREEP_LAW, first_class, inlined
+from railgrip.engine.lower import LAWS
+from railgrip.engine.offsets import SIXTEEN_LANES, width
+
+pytestmark = pytest.mark.skipif(
+    platform.machine().lower() not in ("x86_64", "amd64"),
+    reason="instruction names of x86 are looked for",
+)
+
+
+def nothing(
+    a: float, b: float, c: float, d: float, e: float, f: float, g: float, h: float, i: float
+) -> float:
+    """Stand in for a creep law from outside."""
+    return 0.0
+
+
+class Loop(NamedTuple):
+    """A loop that lies in no other: its packed and scalar divisions, and whether it holds loops."""
+
+    packed: int
+    scalar: int
+    is_nest: bool
+
+
+def loops(asm: str) -> list[Loop]:
+    """Find the outermost loops: from a label to the jump back to it."""
+    lines = asm.splitlines()
+    labels = {line.split(":")[0]: i for i, line in enumerate(lines) if re.match(r"\.L\w+:", line)}
+    jumps = ((i, re.match(r"\s+j\w+\s+(\.L\w+)", line)) for i, line in enumerate(lines))
+    spans = [(labels[jump[1]], i) for i, jump in jumps if jump and labels.get(jump[1], i) < i]
+
+    def within(span: tuple[int, int], other: tuple[int, int]) -> bool:
+        return other != span and other[0] <= span[0] and span[1] <= other[1]
+
+    found = []
+    for span in spans:
+        if any(within(span, other) for other in spans):
+            continue
+        text = "\n".join(lines[slice(*span)])
+        packed = len(re.findall(r"^\s+v?divpd\s", text, re.MULTILINE))
+        scalar = len(re.findall(r"^\s+v?divsd\s", text, re.MULTILINE))
+        found.append(Loop(packed, scalar, any(within(other, span) for other in spans)))
+    return found
+
+
+def assert_packed(asm: str) -> None:
+    """No loop over axles divides lane by lane.
+
+    A pass over the train's own lanes may come twice, packed and, should blocks overlap, scalar:
+    that one is a short loop by itself.
+    """
+    found = [loop for loop in loops(asm) if loop.packed or loop.scalar]
+    assert sum(loop.packed for loop in found) >= 20, found
+    for loop in found:
+        if loop.packed:
+            assert loop.scalar == 0, found
+        else:
+            assert not loop.is_nest, found
+            assert loop.scalar <= 4, found
+
+
+def assembly(function: Any, *signature: Any) -> str:
+    compiled = numba.njit(error_model="numpy", _nrt=False)(function)
+    compiled.compile((types.float64[::1], types.uint64, *signature))
+    return str(compiled.inspect_asm(compiled.signatures[0]))
+
+
+@pytest.fixture(scope="module")
+def step() -> Any:
+    return inlined(kernel.step_lanes.py_func)
+
+
+@pytest.fixture(scope="module")
+def custom_type() -> Any:
+    return numba.typeof(first_class(nothing, CREEP_LAW))
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_no_scalar_division_in_the_step_of_a_built_in_law(
+    step: Any, custom_type: Any, law: str
+) -> None:
+    code = LAWS[law]
+
+    def one_law(S: Any, n_axles: Any, custom: Any, h: float) -> None:
+        step(S, n_axles, code, custom, h)
+
+    assert_packed(assembly(one_law, custom_type, types.float64))
+
+
+def test_the_search_notices_a_loop_that_is_not_packed() -> None:
+    """A lane that depends on the one before cannot be packed; the same without it can."""
+
+    def chained(S: Any, n: Any) -> None:
+        L = width(SIXTEEN_LANES)
+        for axle in range(np.uint64(1), n):
+            b, front = axle * L, (axle - np.uint64(1)) * L
+            for k in range(L):
+                S[b + k] = S[b + k] / (1.0 + S[b + k - np.uint64(1)])
+                S[b + k] += S[front + k] / 3.0
+
+    assert any(loop.scalar for loop in loops(assembly(chained)))
+    with pytest.raises(AssertionError):
+        assert_packed(assembly(chained))
