@@ -97,7 +97,9 @@ def test_on_threads(scenario: rg.Scenario, batch: rg.Result, threads: int) -> No
 
 
 def test_with_traces(scenario: rg.Scenario, batch: rg.Result) -> None:
-    traced = rg.simulate(scenario, runs=5, variations=first(variations(RUNS), *range(5)), traces=True)
+    traced = rg.simulate(
+        scenario, runs=5, variations=first(variations(RUNS), *range(5)), traces=True
+    )
     assert_same(traced, batch, list(range(5)))
 
 

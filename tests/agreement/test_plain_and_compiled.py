@@ -8,6 +8,7 @@ from typing import Any
 import numba
 import numpy as np
 import pytest
+from tests.conftest import Coach
 
 import railgrip as rg
 from railgrip.contact.falling_friction import falling_friction
@@ -17,7 +18,6 @@ from railgrip.control.contract import Command, Measured, Setup
 from railgrip.control.conventional_wsp import ConventionalWSP
 from railgrip.control.no_protection import NoProtection
 from railgrip.engine.compiler import creep_law, inlined
-from tests.conftest import Coach
 
 
 class OnlyPlain:

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.conftest import Coach
 
 import railgrip as rg
 from railgrip.control.contract import FILL, HOLD, VENT, Command, Measured, Setup
-from tests.conftest import Coach
 
 STEPS = (0.02, 0.01, 0.005, 0.0025)
 REFERENCE = 0.001

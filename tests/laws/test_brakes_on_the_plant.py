@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.conftest import Coach, Shipped
 
 import railgrip as rg
-from tests.conftest import Coach, Shipped
 
 
 def of(result: rg.Result, name: str) -> np.ndarray:
@@ -113,7 +113,7 @@ def test_position_g_is_slower_than_p(shipped: Shipped) -> None:
 
 
 def test_changeover_brakes_the_empty_wagon_less(shipped: Shipped) -> None:
-    """Empty 0.33 of the clamp force (its data); a laden brake would lock the empty wagon's wheels."""
+    """Empty 0.33 of the clamp force (its data); the laden brake would lock empty wheels."""
     laden = shipped("wagon_100")
     empty = rg.simulate(laden.scenario.with_(load="empty"))
     clamp = [np.nanmax(of(result, "clamp_force")) for result in (empty, laden)]
@@ -165,7 +165,7 @@ def test_air_is_counted_where_it_goes(shipped: Shipped) -> None:
 
 
 def test_full_service_and_half_service(coach: Coach) -> None:
-    """Half the demand is half the pressure, and half the deceleration (no spring, no resistance)."""
+    """Half the demand: half the pressure and deceleration (no spring, no resistance)."""
     full, half = (rg.simulate(coach(0.5, demand=level)) for level in (1.0, 0.5))
     pressures = [np.nanmax(of(result, "brake_cylinder_pressure")) for result in (full, half)]
     assert pressures[1] == pytest.approx(0.5 * pressures[0], rel=1e-6)

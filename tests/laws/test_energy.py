@@ -10,12 +10,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.conftest import Shipped
 
 import railgrip as rg
 from railgrip import data
 from railgrip.brake.dynamic_brake import DynamicBrake, dynamic_brake_limit
 from railgrip.core.constants import GRAVITY
-from tests.conftest import Shipped
 
 TERMS = ("contact", "brake", "dynamic", "track_brake", "resistance", "gradient")
 LIMIT = 1e-6

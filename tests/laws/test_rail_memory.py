@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
+from tests.conftest import Coach, Shipped
 
 import railgrip as rg
 from railgrip.track.cleaning import left_contaminant
-from tests.conftest import Coach, Shipped
 
 
 def while_fast(result: rg.Result, name: str, low: float = 20.0, high: float = 35.0) -> np.ndarray:

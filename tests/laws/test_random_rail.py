@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.conftest import Coach
 
 import railgrip as rg
-from tests.conftest import Coach
 
 MEAN, SPREAD, CORRELATION = 0.08, 0.024, 10.0
 SPEED, TIME = 40.0, 1000.0

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.conftest import Coach, Shipped
 
 import railgrip as rg
 from railgrip.core.constants import GRAVITY
 from railgrip.core.status import RunStatus
-from tests.conftest import Coach, Shipped
 
 SETTLED = 10.0
 """After so long the recoil of the stop has died away: the contacts are springs, s."""
@@ -81,9 +81,7 @@ def test_a_released_train_rolls_downhill(coach: Coach, gradient: float) -> None:
 def test_a_train_that_rolls_out_of_the_line_ends(coach: Coach) -> None:
     """Back over where it came from, traced and untraced alike: never a traceback."""
     release = [{"at": 0.0, "level": "service"}, {"at": 15.0, "level": "none"}]
-    scenario = coach(
-        0.3, gradient=0.03, speed=10.0, after_stop=60.0, demand=release, start=100.0
-    )
+    scenario = coach(0.3, gradient=0.03, speed=10.0, after_stop=60.0, demand=release, start=100.0)
     traced, untraced = rg.simulate(scenario), rg.simulate(scenario, traces=False)
     assert traced.status in (RunStatus.END_OF_TRACK, RunStatus.STOPPED)
     assert traced.status == untraced.status

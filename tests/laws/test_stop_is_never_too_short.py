@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.conftest import Coach
 
 import railgrip as rg
 from railgrip.core import registry
 from railgrip.core.constants import GRAVITY
-from tests.conftest import Coach
 
 
 def shortest(speed: float, adhesion: float) -> float:

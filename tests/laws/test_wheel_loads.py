@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.conftest import Shipped
 
 from railgrip import data
 from railgrip.core.constants import GRAVITY
-from tests.conftest import Shipped
 
 
 @pytest.mark.parametrize("name", data.names("scenarios"))

@@ -59,9 +59,9 @@ def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
             S[b + at.DYNAMIC_MAX * L + k], S[b + at.DYNAMIC_POWER * L + k],
             S[b + at.FADE_START * L + k], S[b + at.FADE_END * L + k],
         )  # fmt: skip
-        speed = S[b + at.WHEEL_SPEED * L + k]
-        middle = max(1.5 * speed - 0.5 * S[b + at.SPEED_BEFORE * L + k], 0.0)
-        limit = _dynamic_limit(brake, middle)
+        # the speed at the end of the tick, where the new force will stand
+        end = max(2.0 * S[b + at.WHEEL_SPEED * L + k] - S[b + at.SPEED_BEFORE * L + k], 0.0)
+        limit = _dynamic_limit(brake, end)
         asked = S[b + at.DEMAND * L + k] * S[b + at.FULL_FORCE * L + k]
         permitted = S[b + at.DYNAMIC_SHARE * L + k] * S[b + at.HERE_DYNAMIC * L + k]
         wanted = min(limit, asked) * permitted
@@ -69,14 +69,13 @@ def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
         change = S[b + at.DYNAMIC_RATE * L + k] * h
         after = max(force - CUT_OFF * change, min(force + change, wanted))
         S[b + at.DYNAMIC_FORCE * L + k] = after
-        # never above what the speed allows: a wheel must not be driven backwards
-        S[b + at.DYNAMIC_ACTING * L + k] = min(0.5 * (force + after), limit)
+        S[b + at.DYNAMIC_ACTING * L + k] = 0.5 * (force + after)
 
 
 @inlined
 def _target(L: int, S: Any, b: int, k: int) -> float:
     """Return the pressure for what the dynamic brake leaves over."""
-    taken = S[b + at.DYNAMIC_FORCE * L + k] * S[b + at.PER_FULL_FORCE * L + k]
+    taken = S[b + at.DYNAMIC_ACTING * L + k] * S[b + at.PER_FULL_FORCE * L + k]
     left = S[b + at.DEMAND * L + k] - taken
     return float(S[b + at.FULL_PRESSURE * L + k] * max(left, 0.0))
 

@@ -97,7 +97,10 @@ def _sense(lanes: Any, S: Any, plan: Any, moment: int) -> None:
     for axle in range(plan.n_axles):
         b = (axle + to.AXLE_BLOCK) * to.N_VARS * L
         hand_down(lanes, S, b)
-        sense_pass(lanes, S, b, timing.tick, timing.sensor_teeth, 1.0 / timing.sensor_timer, slot)
+        sense_pass(
+            lanes, S, b, timing.tick, timing.sensor_teeth, 1.0 / timing.sensor_timer,
+            float(timing.control_every), slot,
+        )  # fmt: skip
 
 
 @entry

@@ -22,8 +22,12 @@ LAWS = {
     "freibauer_1983": at.LAW_FREIBAUER,
     "shen_hedrick_elkins_1983": at.LAW_SHEN,
 }
-LEAST_CELL = 0.5
-"""Shortest rail cell, m."""
+FIELD_STEP = 0.5
+"""Spacing of the random field along the line, m: one field for every step, speed and train."""
+FORGOTTEN = 10.0
+"""Correlation lengths after which a field remembers 5e-5 of how it began."""
+LEAST_CELL = FIELD_STEP
+"""Shortest rail cell, m; a cell is a whole number of field steps."""
 ELEVATION_STEP = 1.0
 """Spacing of heights along the line, m."""
 MONITOR_PERIOD = 0.1
@@ -164,7 +168,10 @@ def _way(scenario: Scenario) -> Way:
         curve_work=curve_work,
         is_level=int(not elevation.any() and not curve_work.any()),
         is_random=int(field is not None),
-        correlation=math.exp(-length / field.correlation_length) if field else 0.0,
+        nodes_per_cell=round(length / FIELD_STEP),
+        first_node=round(origin / FIELD_STEP),
+        cells_to_forget=math.ceil(FORGOTTEN * field.correlation_length / length) if field else 0,
+        correlation=math.exp(-FIELD_STEP / field.correlation_length) if field else 0.0,
         relative_spread=field.spread / field.mean if field else 0.0,
         seed=seed,
         sand_friction=sander.rail_friction if sander else 0.0,

@@ -32,8 +32,11 @@ class Way(NamedTuple):
         Height [m]; running integral of the curve resistance over weight [m].
     is_level : int
         1 where both are zero throughout.
-    is_random, correlation, relative_spread, seed
-        Random field: on or off; from cell to cell; standard deviation over mean; key.
+    is_random, nodes_per_cell, first_node, cells_to_forget
+        Random field: on or off; its nodes in a cell; number of the first, counted from the line's
+        beginning; cells after which it has forgotten how it began.
+    correlation, relative_spread, seed
+        From node to node; standard deviation over mean; key.
     sand_friction, effective_sand : float
         See track.sanding.
     """
@@ -48,6 +51,9 @@ class Way(NamedTuple):
     curve_work: FloatArray
     is_level: int
     is_random: int
+    nodes_per_cell: int
+    first_node: int
+    cells_to_forget: int
     correlation: float
     relative_spread: float
     seed: int

@@ -51,8 +51,10 @@ def lay_rail(
         energy[slot] = 0.0
         sand[slot] = 0.0
         if way.is_random == 1:
-            normal = _normal(front, run, RAIL_STREAM, way.seed)
-            field = _next_field(field, way.correlation, normal)
+            for node in range(way.nodes_per_cell):
+                place = way.first_node + front * way.nodes_per_cell + node
+                normal = _normal(place, run, RAIL_STREAM, way.seed)
+                field = _next_field(field, way.correlation, normal)
             factor[slot] = _factor(field, way.relative_spread)
         else:
             factor[slot] = 1.0
@@ -63,7 +65,8 @@ def lay_rail(
 @compiled
 def field_before(way: Any, run: int, cell: int) -> float:
     """Return a standard normal number to begin the random field with, before its first cell."""
-    return float(_normal(cell, run, FIRST_CELL_STREAM, way.seed))
+    place = way.first_node + cell * way.nodes_per_cell
+    return float(_normal(place, run, FIRST_CELL_STREAM, way.seed))
 
 
 @compiled

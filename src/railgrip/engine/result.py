@@ -183,6 +183,8 @@ def _traces(scenario: Scenario, plan: Plan, out: Outcome) -> tuple[Variables, Fl
         of_axle["creepage"] = np.where(
             speed > 0.01, (of_axle["wheel_speed"] - speed) / speed, np.nan
         )
+    # before the first tick no pad has rubbed yet
+    of_axle["pad_friction"][:, :, :1] = of_axle["pad_friction"][:, :, 1:2]
     of_axle["slip_speed"] = of_train["reference_speed"][:, None, :] - of_axle["measured_speed"]
     of_axle["adhesion_used"] = np.abs(of_axle["contact_force"]) / of_axle["wheel_load"]
     of_axle["adhesion_available"] = available_adhesion(scenario, plan, of_axle, speed)
@@ -239,6 +241,7 @@ def _utilisation(of_train: dict[str, FloatArray], of_axle: dict[str, FloatArray]
 
 def _rail(plan: Plan, rail: Memory, front: float) -> tuple[Variables, FloatArray]:
     way = plan.way
+    front = front if np.isfinite(front) else way.origin
     n_cells = int((front - way.origin) / way.cell_length) + 2
     n_cells = min(max(n_cells, 0), len(rail.ring_energy), len(way.condition_of_cell))
     cells = np.arange(n_cells)

@@ -17,12 +17,13 @@ SILENCE = 0.5
 
 @inlined
 def sense_pass(
-    lanes: Any, S: Any, b: int, tick: float, teeth: float, per_timer: float, slot: int
+    lanes: Any, S: Any, b: int, tick: float, teeth: float, per_timer: float, every: float, slot: int
 ) -> None:
     """Measure each wheel's speed from the edges of its pole wheel, as a speed card does.
 
     Whole teeth over the time between the last edges seen; between edges a speed can only be
-    lower than one tooth over the time since. The timer's resolution quantises the time.
+    lower than one tooth over the time since. The timer's resolution quantises the time. The card
+    looks once a control period: what it sees must not depend on the step of the computation.
     """
     L = width(lanes)
     per_tooth = 2.0 * math.pi / teeth
@@ -33,7 +34,10 @@ def sense_pass(
         place = S[b + to.ROLLED * L + k] / pitch
         edges = math.floor(place)
         speed = max(abs(S[b + to.WHEEL_SPEED * L + k]), 1e-6)
-        edge_time = now - min((place - edges) * pitch / speed, tick)
+        looks = (
+            math.floor(S[b + to.HERE_TICK * L + k] / every) * every == S[b + to.HERE_TICK * L + k]
+        )
+        edge_time = now - min((place - edges) * pitch / speed, tick * every)
         edge_time = math.floor(edge_time * per_timer + 0.5) * timer
         seen = edges - S[b + to.PULSES * L + k]
         last_time = S[b + to.EDGE_TIME * L + k]
@@ -44,9 +48,10 @@ def sense_pass(
         at_most = min(S[b + to.MEASURED_SPEED * L + k], counted)
         at_most = 0.0 if waited > SILENCE else at_most
         measured = counted if seen > 0.0 else at_most
-        S[b + to.EDGE_TIME * L + k] = edge_time if seen > 0.0 else last_time
+        measured = measured if looks else S[b + to.MEASURED_SPEED * L + k]
+        S[b + to.EDGE_TIME * L + k] = edge_time if looks and seen > 0.0 else last_time
         S[b + to.MEASURED_SPEED * L + k] = measured
-        S[b + to.PULSES * L + k] = edges
+        S[b + to.PULSES * L + k] = edges if looks else S[b + to.PULSES * L + k]
         S[b + slot * L + k] = measured
 
 

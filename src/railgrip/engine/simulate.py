@@ -134,6 +134,16 @@ def overrides(prepared: Prepared, variations: Variations, n_runs: int) -> Overri
                 Problem(str(name), "needs one finite number for each run",
                         got=f"shape {column.shape}", allowed=f"({n_runs},)")
             )  # fmt: skip
+        n_axles = prepared.scenario.train.n_axles
+        if axles is not None and (name in train_names or not 0 <= int(axles) < n_axles):
+            raise RailgripError(
+                Problem(
+                    str(name),
+                    "has no such axle",
+                    got=f"{axles}",
+                    allowed=f"0 to {n_axles - 1}, for quantities of axles",
+                )
+            )
         if name in train_names:
             index.append(train_names.index(name))
             columns.append(column)
@@ -217,7 +227,8 @@ def simulate(
 
 
 def _chunks(runs: int, threads: int) -> Iterator[tuple[int, int]]:
-    size = max(1, min(CHUNK, -(-runs // (4 * threads)))) if runs > at.LANES else runs
+    # lanes idle at the end of every chunk, so it must be many runs long
+    size = min(CHUNK, max(8 * at.LANES, -(-runs // (4 * threads))))
     for first in range(0, runs, size):
         yield first, min(first + size, runs)
 

@@ -10,6 +10,7 @@ from railgrip.engine import layout as at
 from railgrip.engine.compiler import compiled
 from railgrip.engine.rail import enter_cells, field_before, lay_rail
 from railgrip.engine.records import kinetic_energy
+from railgrip.engine.sensing import driver_demand
 
 
 @compiled
@@ -34,6 +35,14 @@ def begin_run(L: int, S: Any, memory: Any, plan: Any, overrides: Any, k: int, ru
     _begin_rail(L, S, memory, plan.way, n_axles, k)
     for axle in range(n_axles):
         _begin_axle(L, S, plan, k, axle)
+    timing = plan.timing
+    if timing.first_brake_tick == 0:
+        S[at.BRAKE_TIME * L + k] = 0.0
+        S[at.BRAKE_POSITION * L + k] = S[at.POSITION * L + k]
+        S[at.BRAKE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
+        S[at.FIRST_DEMAND * L + k], _ = driver_demand(
+            0, timing.demand_tick, timing.demand_level, timing.demand_emergency
+        )
     S[at.KINETIC_START * L + k] = kinetic_energy(L, S, n_axles, k)
     for vehicle in range(plan.formation.vehicle_front.shape[0]):
         memory.reservoirs[vehicle * L + k] = plan.formation.reservoir_pressure[vehicle]
@@ -46,6 +55,8 @@ def _begin_rail(L: int, S: Any, memory: Any, way: Any, n_axles: int, k: int) -> 
     front = S[at.POSITION * L + k]
     rear = front - S[at.TRAIN_LENGTH * L + k]
     first = math.floor((rear - way.origin) / way.cell_length) - 3
+    # the field forgets where it began: begun far behind, it is the same for any train and start
+    first -= way.cells_to_forget
     S[at.RAIL_FRONT * L + k] = float(first - 1)
     S[at.FIELD * L + k] = field_before(way, int(S[at.RUN * L + k]), first)
     ahead = math.floor((front - way.origin) / way.cell_length) + 3

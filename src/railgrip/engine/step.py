@@ -42,6 +42,8 @@ LIMIT_FADE = 10.0
 At a stand the contact is a spring that only the limit bounds. A rolling wheel is bounded by the
 law itself; a limit that now and then cut its chord off would spoil the order of the integration.
 """
+STANDING_SPEED = 0.05
+"""Below this rolling speed the contact turns into the elastic spring that it is at a stand, m/s."""
 LEAST_LOAD = 0.05
 """A wheel keeps at least this share of its static load."""
 
@@ -76,6 +78,12 @@ def _hand_down(L: int, S: Any, b: int, k: int) -> tuple[float, float]:
 
 
 @inlined
+def _standing(slope: float, rolling: float) -> float:
+    """Return what the chord gains near a stand: there the contact sticks, whatever the creepage."""
+    return slope * max(1.0 - rolling / STANDING_SPEED, 0.0)
+
+
+@inlined
 def _law_pass(lanes: Any, S: Any, b: int, law: Any) -> None:
     """Chord of the creep curve, T/s, at the present slip, and the limit of friction."""
     L = width(lanes)
@@ -87,7 +95,7 @@ def _law_pass(lanes: Any, S: Any, b: int, law: Any) -> None:
         rolling = max(abs(train_speed), abs(wheel_speed))
         creepage = max(slip_speed / max(rolling, LEAST_ROLLING_SPEED), LEAST_CREEPAGE)
         force = law(rail, load, S[b + at.SLOPE * L + k], slip_speed, creepage)
-        S[b + at.CHORD * L + k] = force / creepage
+        S[b + at.CHORD * L + k] = force / creepage + _standing(S[b + at.SLOPE * L + k], rolling)
         S[b + at.ROLLING * L + k] = rolling
         S[b + at.FRICTION_LIMIT * L + k] = (
             _falling(rail, slip_speed) * load * (1.0 + LIMIT_FADE * rolling)
@@ -110,7 +118,7 @@ def _custom_pass(lanes: Any, S: Any, b: int, custom: Any) -> None:
             rail.adhesion_reduction, rail.slip_reduction,
             load, S[b + at.SLOPE * L + k], slip_speed, creepage,
         )  # fmt: skip
-        S[b + at.CHORD * L + k] = force / creepage
+        S[b + at.CHORD * L + k] = force / creepage + _standing(S[b + at.SLOPE * L + k], rolling)
         S[b + at.ROLLING * L + k] = rolling
         S[b + at.FRICTION_LIMIT * L + k] = (
             _falling(rail, slip_speed) * load * (1.0 + LIMIT_FADE * rolling)

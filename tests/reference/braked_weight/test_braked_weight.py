@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from tests.conftest import Shipped
 
 import railgrip as rg
 from railgrip.train.braked_weight import braked_weight_percentage
-from tests.conftest import Shipped
 
 
 @pytest.mark.parametrize(("distance", "percentage"), [(480.0, 100.0), (700.0, 65.0)])

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from tests.conftest import Shipped
 
 import railgrip as rg
-from tests.conftest import Shipped
 
 STEPPED = 496.1
 

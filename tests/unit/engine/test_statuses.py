@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.conftest import Coach
 
 import railgrip as rg
 from railgrip.control.contract import DUMP_VALVE, DYNAMIC_SHARE, Command, Measured, Setup
 from railgrip.core.errors import RailgripError
 from railgrip.core.status import RunStatus, sentence
-from tests.conftest import Coach
 
 
 def test_stopped(coach: Coach) -> None:
@@ -100,7 +100,7 @@ class CompiledStubborn(Stubborn):
 
 
 def test_a_batch_goes_on_past_failed_runs(coach: Coach) -> None:
-    """Slow runs stop, those too fast for the controller fail, those too fast for the line leave it."""
+    """Slow runs stop, those too fast for the controller fail, and each has its own bits."""
     speeds = np.array([10.0, 20.0, 12.0, 14.0, 30.0, 8.0] * 6)
     scenario = coach(0.3, speed=10.0)
     result = rg.simulate(

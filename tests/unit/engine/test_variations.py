@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.conftest import Coach
 
 import railgrip as rg
 from railgrip.core.errors import RailgripError
-from tests.conftest import Coach
 
 
 def test_a_train_number(coach: Coach) -> None:
@@ -45,7 +45,10 @@ def test_the_value_of_the_scenario_changes_nothing(coach: Coach) -> None:
 @pytest.mark.parametrize(
     ("changes", "sentence"),
     [
-        ({"INITIAL_SPED": [1.0]}, "quantity 'INITIAL_SPED' unknown; .*did you mean 'INITIAL_SPEED'"),
+        (
+            {"INITIAL_SPED": [1.0]},
+            "quantity 'INITIAL_SPED' unknown; .*did you mean 'INITIAL_SPEED'",
+        ),
         ({("STATIC_LOAD_", 1): [1.0]}, "did you mean 'STATIC_LOAD'"),
         ({"INITIAL_SPEED": [1.0, 2.0]}, "one finite number for each run; got shape"),
         ({"INITIAL_SPEED": 1.0}, "one finite number for each run"),

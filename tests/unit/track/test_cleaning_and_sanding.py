@@ -37,9 +37,7 @@ def test_a_blend_lies_between(clean: float, contaminated: float, left: float) ->
     assert low - 1e-12 <= found <= high + 1e-12
 
 
-@given(
-    friction=FRICTION, sand=st.floats(0.0, 1.0), most=FRICTION, effective=st.floats(1e-4, 1.0)
-)
+@given(friction=FRICTION, sand=st.floats(0.0, 1.0), most=FRICTION, effective=st.floats(1e-4, 1.0))
 def test_sand_never_makes_slippery(
     friction: float, sand: float, most: float, effective: float
 ) -> None:

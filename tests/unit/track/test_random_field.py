@@ -20,14 +20,12 @@ WORD = st.integers(0, 2**32 - 1)
 
 
 @given(counter=st.tuples(WORD, WORD, WORD, WORD), key=st.tuples(WORD, WORD))
-def test_words_fit_into_32_bits(
-    counter: tuple[int, int, int, int], key: tuple[int, int]
-) -> None:
+def test_words_fit_into_32_bits(counter: tuple[int, int, int, int], key: tuple[int, int]) -> None:
     assert all(0 <= word < 2**32 for word in philox_4x32(*counter, *key))
 
 
 def test_normals_are_normal() -> None:
-    """Moments of 20 000 numbers within four standard errors; tails beyond 3 as often as they ought."""
+    """Moments of 20 000 numbers and the count beyond 3: within four standard errors."""
     n = 20_000
     found = np.array([standard_normal(cell, 3, 1, 12345) for cell in range(n)])
     assert abs(found.mean()) < 4 / n**0.5
@@ -50,12 +48,8 @@ def test_seeds_beyond_32_bits_differ() -> None:
     assert standard_normal(1, 0, 0, 5) != standard_normal(1, 0, 0, 5 + 2**32)
 
 
-@given(
-    previous=st.floats(-5, 5), normal=st.floats(-5, 5), correlation=st.floats(0, 1)
-)
-def test_the_field_keeps_unit_variance(
-    previous: float, normal: float, correlation: float
-) -> None:
+@given(previous=st.floats(-5, 5), normal=st.floats(-5, 5), correlation=st.floats(0, 1))
+def test_the_field_keeps_unit_variance(previous: float, normal: float, correlation: float) -> None:
     """The coefficients' squares sum to one; nothing correlated: the fresh number alone."""
     own = next_field_value(1.0, correlation, 0.0)
     fresh = next_field_value(0.0, correlation, 1.0)

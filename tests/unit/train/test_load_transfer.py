@@ -61,7 +61,9 @@ def test_the_moment_about_the_rail_is_all_inertia(
 
 def test_a_single_axle_takes_no_moment() -> None:
     """Two-axle wagon: all of it between the two axles, none within a 'bogie' of one."""
-    gains = load_transfer((2.0, 8.0), (1e3, 1e3), (0.5, 0.5), 18e3, 1.5, (0.5, 0.5), ((0.0,), (0.0,)))
+    gains = load_transfer(
+        (2.0, 8.0), (1e3, 1e3), (0.5, 0.5), 18e3, 1.5, (0.5, 0.5), ((0.0,), (0.0,))
+    )
     assert gains[0][0] == pytest.approx(18e3 * 1.0 / 6.0)
     assert gains[1][0] == pytest.approx(-gains[0][0])
 
