@@ -138,7 +138,7 @@ def test_continuous_load_braking_keeps_the_deceleration(shipped: Shipped) -> Non
 
 
 def test_an_exhausted_reservoir_weakens_the_brake(shipped: Shipped) -> None:
-    """60 l on very low adhesion: the pressure left bounds the cylinders, and the stop grows."""
+    """60 l on very low adhesion: the pressure left bounds the cylinders."""
     small = shipped("exhausted_air")
     large = rg.simulate(small.scenario.with_({"train.reservoir.volume": "10 m^3"}))
     air = of(small, "reservoir_pressure")[0]
@@ -149,7 +149,20 @@ def test_an_exhausted_reservoir_weakens_the_brake(shipped: Shipped) -> None:
     late = slice(len(air) // 2, -1)
     assert cylinders[:, late].max() <= air[late].max() * (1 + 1e-6)
     assert cylinders[:, late].max() < 0.6 * of(large, "brake_cylinder_pressure")[:, late].max()
-    assert distance(small) > 1.01 * distance(large)
+
+
+def test_a_reservoir_too_small_makes_the_stop_longer() -> None:
+    """Dry: 4 cylinders of 12 l from 40 l at 6 bar end near 6·40/88 bar, 0.72 of the 3.8 asked for.
+
+    The pads' force follows less the springs', so that the stop grows by at least a quarter.
+    """
+    enough = rg.simulate(rg.load("coach_120"))
+    scenario = rg.load("coach_120").with_({"train.reservoir.volume": "40 l"})
+    result = rg.simulate(scenario)
+    pressure = of(result, "brake_cylinder_pressure")[:, :-1]
+    assert pressure.max() == pytest.approx(6e5 * 40 / 88, rel=0.01)
+    assert of(result, "reservoir_pressure")[0][-2] == pytest.approx(pressure[:, -1].max(), rel=0.02)
+    assert distance(result) > 1.25 * distance(enough)
 
 
 def test_air_is_counted_where_it_goes(shipped: Shipped) -> None:
@@ -176,8 +189,7 @@ def test_full_service_and_half_service(coach: Coach) -> None:
 def test_a_timed_sequence_is_followed(shipped: Shipped) -> None:
     """sequence: the demand of the trace is the scenario's at every moment."""
     result = shipped("sequence")
-    time, demand = result.data["time"].values[1:], of(result, "brake_demand")[1:]
+    time, demand = result.data["time"].values, of(result, "brake_demand")
     points = result.scenario.run.demand
-    # a tick that begins at a point's time obeys it; the trace shows the tick before
-    expected = [[p.level for p in points if p.at < t - 1e-9][-1] for t in time]
+    expected = [[p.level for p in points if p.at <= t + 1e-9][-1] for t in time]
     np.testing.assert_array_equal(demand[:-1], expected[:-1])

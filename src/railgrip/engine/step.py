@@ -213,8 +213,9 @@ def _wheel(
     free = forced - bounded
     slipping = math.copysign(max(abs(free) - brake, 0.0) / mass, free)
     speed = slipping if contact != bounded else speed
-    # forced holds the old momentum less the dynamic brake: what is missing took the brake
-    return speed, bounded, h * (forced - mass * speed - bounded)
+    # a turning wheel feels the whole brake; one that it holds, only what holds it
+    acting = math.copysign(brake, speed) if speed != 0.0 else free
+    return speed, bounded, h * acting
 
 
 @inlined
@@ -337,14 +338,15 @@ def _train(L: int, S: Any, k: int, force: float, h: float) -> tuple[float, float
     """Return train speed, pitching, and what resistance and track brake took, after a step."""
     start = S[at.TRAIN_SPEED * L + k]
     speed = _speed_after(L, S, k, force, 0.0, h)
-    # what dry friction really took, shared as resistance and track brake pull
-    pull = h * (force - S[at.GRADIENT_FORCE * L + k])
-    held = pull - S[at.TRAIN_MASS * L + k] * (speed - start)
     resistance = _resistance(L, S, k)
-    share = resistance / max(resistance + S[at.TRACK_BRAKE_FORCE * L + k], 1e-9)
+    track_brake = S[at.TRACK_BRAKE_FORCE * L + k]
+    # a train that moves feels all of both; one that they hold, only what holds it
+    pull = force - S[at.GRADIENT_FORCE * L + k] + S[at.TRAIN_MASS * L + k] * start / h
+    needed = pull / max(resistance + track_brake, 1e-9)
+    share = math.copysign(1.0, speed) if speed != 0.0 else needed
     lag = S[at.PITCH_TIME * L + k]
     pitch = (lag * S[at.PITCH_DECELERATION * L + k] + (start - speed)) / (lag + h)
-    return speed, pitch, held * share, held * (1.0 - share)
+    return speed, pitch, h * share * resistance, h * share * track_brake
 
 
 @inlined
