@@ -92,6 +92,34 @@ def test_another_start_is_a_rail_of_the_same_kind(coach: Coach) -> None:
     assert near.std() == pytest.approx(far.std(), rel=0.1)
 
 
+def test_the_rail_belongs_to_the_line_not_to_the_train(coach: Coach) -> None:
+    """Another step, speed, start or train finds the same friction at the same place, to 1 %.
+
+    Where the field begins it is drawn anew: compared is what lies 20 correlation lengths on. A
+    coarser cell takes its value from one end, so places may differ by a cell: 0.5 m of 10 m.
+    """
+    usual = long_way(coach).with_({"run.time_limit": 50.0})
+    longer = usual.train.model_dump()["vehicle"] * 2
+    others = [
+        usual.with_({"run.step": 0.005}),
+        usual.with_({"run.speed": 60.0}),
+        usual.with_({"line.start": 2100.0}),
+        usual.with_({"train.vehicle": longer}),
+    ]
+
+    def along(scenario: rg.Scenario) -> np.ndarray:
+        result = rg.simulate(scenario)
+        places = result.data["cell"].values
+        return np.interp(np.arange(2400.0, 3500.0), places, np.log(
+            result["rail_friction_before"].values[0]))  # fmt: skip
+
+    expected = along(usual)
+    for scenario in others:
+        found = along(scenario)
+        assert np.corrcoef(found, expected)[0, 1] > 0.95
+        assert found.mean() == pytest.approx(expected.mean(), rel=0.01)
+
+
 def test_patches_keep_their_own_level(coach: Coach) -> None:
     """The field multiplies a patch's friction; it does not replace it."""
     patch = {"from": 5000.0, "to": 15000.0, "condition": "leaves"}

@@ -10,7 +10,7 @@ import railgrip as rg
 from railgrip.core.constants import GRAVITY
 from railgrip.core.status import RunStatus
 
-SETTLED = 10.0
+SETTLED = 0.5
 """After so long the recoil of the stop has died away: the contacts are springs, s."""
 
 
@@ -27,13 +27,13 @@ def trace(result: rg.Result, name: str) -> np.ndarray:
 @pytest.mark.parametrize("controller", ["none", "conventional"])
 @pytest.mark.parametrize("gradient", [0.03, -0.03, 0.0])
 def test_a_held_train_does_not_creep(coach: Coach, gradient: float, controller: str) -> None:
-    """Position constant to 1e-6 m over 20 s, wheels at exactly 0, the rail holds the weight."""
+    """Position constant to 1e-6 m over 29 s, wheels at exactly 0, the rail holds the weight."""
     result = rg.simulate(
         coach(0.3, gradient=gradient, controller=controller, speed=10.0, after_stop=30.0)
     )
     assert result.status == RunStatus.STOPPED
     standing = after(result, SETTLED)
-    assert standing.sum() > 900
+    assert standing.sum() > 1400
     assert np.ptp(trace(result, "train_position")[standing]) < 1e-6
     assert np.abs(trace(result, "train_speed")[standing]).max() < 1e-9
     assert np.abs(trace(result, "wheel_speed")[:, standing]).max() == 0.0
@@ -44,16 +44,16 @@ def test_a_held_train_does_not_creep(coach: Coach, gradient: float, controller: 
 
 @pytest.mark.parametrize("gradient", [0.03, -0.03])
 def test_the_recoil_of_a_stop_is_small(coach: Coach, gradient: float) -> None:
-    """Less than 1 cm back."""
+    """Less than 1 mm back."""
     result = rg.simulate(coach(0.3, gradient=gradient, speed=10.0, after_stop=10.0))
-    assert np.ptp(trace(result, "train_position")[after(result, 0.0)]) < 0.01
+    assert np.ptp(trace(result, "train_position")[after(result, 0.0)]) < 1e-3
 
 
 def test_the_shipped_hold(shipped: Shipped) -> None:
     """gradient_hold: half a minute on 20 ‰, constant to 1e-6 m."""
     result = shipped("gradient_hold")
     position = trace(result, "train_position")[after(result, SETTLED)]
-    assert len(position) > 900
+    assert len(position) > 1400
     assert np.ptp(position) < 1e-6
 
 

@@ -184,9 +184,11 @@ def _traces(scenario: Scenario, plan: Plan, out: Outcome) -> tuple[Variables, Fl
             speed > 0.01, (of_axle["wheel_speed"] - speed) / speed, np.nan
         )
     # before the first tick no pad has rubbed yet
-    of_axle["pad_friction"][:, :, :1] = of_axle["pad_friction"][:, :, 1:2]
+    if n_rows > 1:
+        of_axle["pad_friction"][:, :, 0] = of_axle["pad_friction"][:, :, 1]
     of_axle["slip_speed"] = of_train["reference_speed"][:, None, :] - of_axle["measured_speed"]
-    of_axle["adhesion_used"] = np.abs(of_axle["contact_force"]) / of_axle["wheel_load"]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        of_axle["adhesion_used"] = np.abs(of_axle["contact_force"]) / of_axle["wheel_load"]
     of_axle["adhesion_available"] = available_adhesion(scenario, plan, of_axle, speed)
     of_axle["adhesion_asked"] = _asked(plan, of_axle)
     found |= {
@@ -223,7 +225,8 @@ def _asked(plan: Plan, of_axle: dict[str, FloatArray]) -> FloatArray:
 
     clamp = of(at.CLAMP_PER_PRESSURE) * of_axle["supply_pressure"] + of(at.CLAMP_OFFSET)
     force = np.maximum(clamp, 0.0) * of_axle["pad_friction"] * of(at.TREAD_PER_CLAMP)
-    asked: FloatArray = (force + of_axle["dynamic_force"]) / of_axle["wheel_load"]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        asked: FloatArray = (force + of_axle["dynamic_force"]) / of_axle["wheel_load"]
     return asked
 
 
