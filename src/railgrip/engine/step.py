@@ -84,22 +84,35 @@ def _standing(slope: float, rolling: float) -> float:
 
 
 @inlined
+def _slip(L: int, S: Any, b: int, k: int) -> tuple[float, float, float, float]:
+    """Return load, slip speed, rolling speed and creepage of one axle in one lane."""
+    train_speed, load = _hand_down(L, S, b, k)
+    wheel_speed = S[b + at.WHEEL_SPEED * L + k]
+    slip_speed = abs(wheel_speed - train_speed)
+    rolling = max(abs(train_speed), abs(wheel_speed))
+    creepage = max(slip_speed / max(rolling, LEAST_ROLLING_SPEED), LEAST_CREEPAGE)
+    return load, slip_speed, rolling, creepage
+
+
+@inlined
+def _keep_contact(
+    L: int, S: Any, b: int, k: int, chord: float, limit: float, rolling: float
+) -> None:
+    S[b + at.CHORD * L + k] = chord + _standing(S[b + at.SLOPE * L + k], rolling)
+    S[b + at.ROLLING * L + k] = rolling
+    S[b + at.FRICTION_LIMIT * L + k] = limit * (1.0 + LIMIT_FADE * rolling)
+
+
+@inlined
 def _law_pass(lanes: Any, S: Any, b: int, law: Any) -> None:
     """Chord of the creep curve, T/s, at the present slip, and the limit of friction."""
     L = width(lanes)
     for k in range(L):
-        train_speed, load = _hand_down(L, S, b, k)
+        load, slip_speed, rolling, creepage = _slip(L, S, b, k)
         rail = _rail(L, S, b, k)
-        wheel_speed = S[b + at.WHEEL_SPEED * L + k]
-        slip_speed = abs(wheel_speed - train_speed)
-        rolling = max(abs(train_speed), abs(wheel_speed))
-        creepage = max(slip_speed / max(rolling, LEAST_ROLLING_SPEED), LEAST_CREEPAGE)
         force = law(rail, load, S[b + at.SLOPE * L + k], slip_speed, creepage)
-        S[b + at.CHORD * L + k] = force / creepage + _standing(S[b + at.SLOPE * L + k], rolling)
-        S[b + at.ROLLING * L + k] = rolling
-        S[b + at.FRICTION_LIMIT * L + k] = (
-            _falling(rail, slip_speed) * load * (1.0 + LIMIT_FADE * rolling)
-        )
+        limit = _falling(rail, slip_speed) * load
+        _keep_contact(L, S, b, k, force / creepage, limit, rolling)
 
 
 @inlined
@@ -107,22 +120,15 @@ def _custom_pass(lanes: Any, S: Any, b: int, custom: Any) -> None:
     """The same with somebody's own law, lane by lane."""
     L = width(lanes)
     for k in range(L):
-        train_speed, load = _hand_down(L, S, b, k)
+        load, slip_speed, rolling, creepage = _slip(L, S, b, k)
         rail = _rail(L, S, b, k)
-        wheel_speed = S[b + at.WHEEL_SPEED * L + k]
-        slip_speed = abs(wheel_speed - train_speed)
-        rolling = max(abs(train_speed), abs(wheel_speed))
-        creepage = max(slip_speed / max(rolling, LEAST_ROLLING_SPEED), LEAST_CREEPAGE)
         force = custom(
             rail.static_friction, rail.friction_ratio, rail.friction_decay,
             rail.adhesion_reduction, rail.slip_reduction,
             load, S[b + at.SLOPE * L + k], slip_speed, creepage,
         )  # fmt: skip
-        S[b + at.CHORD * L + k] = force / creepage + _standing(S[b + at.SLOPE * L + k], rolling)
-        S[b + at.ROLLING * L + k] = rolling
-        S[b + at.FRICTION_LIMIT * L + k] = (
-            _falling(rail, slip_speed) * load * (1.0 + LIMIT_FADE * rolling)
-        )
+        limit = _falling(rail, slip_speed) * load
+        _keep_contact(L, S, b, k, force / creepage, limit, rolling)
 
 
 @inlined
