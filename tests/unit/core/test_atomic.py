@@ -1,7 +1,7 @@
 import pytest
 
-from railgrip.core.errors import RailgripError
 from railgrip.core.atomic import write_aside
+from railgrip.core.errors import RailgripError
 
 
 def test_takes_its_name_when_all_went_well(tmp_path):
