@@ -23,6 +23,7 @@ from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
 from railgrip.app.commands.run import run
 from railgrip.app.commands.schema import schema
+from railgrip.app.files import stop_when_asked
 from railgrip.app.screen import print_problems
 from railgrip.core.errors import Problem, RailgripError
 
@@ -49,6 +50,7 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     words = list(sys.argv[1:] if arguments is None else arguments)
     # A polite kill unwinds like Ctrl-C, so that unfinished files are swept up.
     signal.signal(signal.SIGTERM, _leave)
+    stop_when_asked()
     sys.exit(execute(words))
 
 

@@ -9,8 +9,22 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
+from typing import NoReturn
 
 from railgrip.core.errors import Problem, RailgripError
+
+_asked_to_stop: list[int] = []
+
+
+def stop_when_asked() -> None:
+    """Take Ctrl-C down before raising it: a library's callback may swallow the exception."""
+    signal.signal(signal.SIGINT, _interrupt)
+
+
+def _interrupt(number: int, _frame: FrameType | None) -> NoReturn:
+    _asked_to_stop.append(number)
+    raise KeyboardInterrupt
 
 
 @contextmanager
@@ -46,6 +60,8 @@ def folder_of_results(folder: Path) -> Iterator[Path]:
         raise _refusal(folder, error) from error
     try:
         yield aside
+        if _asked_to_stop:
+            raise KeyboardInterrupt
         with _undisturbed():
             try:
                 _move_into(aside, folder)
