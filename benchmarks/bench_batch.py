@@ -1,6 +1,6 @@
 """Throughput of a batch: the four-car train on random rail, wheel-slide protection at work.
 
-Adhesion is lognormal along the line, 0.07 in the mean, nine tenths of the rail between 0.04 and 0.11;
+Adhesion is lognormal along the line, 0.07 in the mean, nine tenths of it between 0.04 and 0.11;
 the train stops from 160 km/h with the default step of 10 ms. Counted are simulated axle-seconds per
 second of one core. Beside it stands a limit program (`_floor.py`), measured in the same run: the
 least that could be called the same job, with every shortcut.

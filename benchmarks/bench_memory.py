@@ -63,9 +63,12 @@ def outcome_bytes() -> int:
     import railgrip as rg
 
     result = rg.simulate(rg.load("detergent_160").with_(CHANGES), runs=16)
-    return sum(
-        variable.nbytes for variable in result.data.data_vars.values() if "run" in variable.dims
-    ) // 16
+    return (
+        sum(
+            variable.nbytes for variable in result.data.data_vars.values() if "run" in variable.dims
+        )
+        // 16
+    )
 
 
 if __name__ == "__main__":
