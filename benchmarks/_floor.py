@@ -3,8 +3,9 @@
 Sixteen axles on one speed, sixteen runs side by side, 1 ms semi-implicit Euler, Polach's creep law
 with falling friction, a two-threshold valve rule every 10 ms, a first-order brake cylinder, one
 disc temperature, and rail that the axles in front have cleaned. Every shortcut is taken that
-railgrip does not take: fastmath, true speeds in place of sensors, all axles alike, rail without places, no
-load transfer, no dynamic brake, no reservoir, no energy account, no runs that end and are replaced.
+railgrip does not take: fastmath, true speeds in place of sensors, all axles alike, rail without
+places, no load transfer, no dynamic brake, no reservoir, no energy account, no runs that end and
+are replaced.
 """
 
 from __future__ import annotations
