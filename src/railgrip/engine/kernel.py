@@ -24,6 +24,7 @@ from railgrip.engine.sensing import (
     ask_for_sand,
     driver_demand,
     gather,
+    note_brake_command,
     obey,
     sense_pass,
     valve_pass,
@@ -132,11 +133,7 @@ def drive(L: int, S: Any, memory: Any, plan: Any) -> None:
         S[at.TRACK_BRAKE_ON * L + k] = emergency
         allowed = formation.dynamic_in_emergency == 1 or emergency == 0.0
         S[at.DYNAMIC_ALLOWED * L + k] = 1.0 if allowed else 0.0
-        if S[at.BRAKE_TIME * L + k] < 0.0 and tick >= timing.first_brake_tick:
-            S[at.BRAKE_TIME * L + k] = tick * timing.tick
-            S[at.BRAKE_POSITION * L + k] = S[at.POSITION * L + k]
-            S[at.BRAKE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
-            S[at.FIRST_DEMAND * L + k] = demand
+        note_brake_command(L, S, timing, k)
         enter_cells(L, S, energy, factor, sand, way, n_axles, 0.5 * timing.tick, k)
         if way.is_level == 0:
             line_forces(L, S, way, formation, 0.5 * timing.tick, k)

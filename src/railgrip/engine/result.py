@@ -10,6 +10,7 @@ import numpy as np
 
 from railgrip.core.signals import SIGNALS, attributes
 from railgrip.core.status import RunStatus, sentence
+from railgrip.engine import layout as at
 from railgrip.engine.adhesion import available_adhesion
 from railgrip.engine.plan import FloatArray, Memory, Outcome, Plan
 from railgrip.engine.records import AXLE_OUTCOMES, AXLE_TRACES, TRAIN_OUTCOMES, TRAIN_TRACES
@@ -217,7 +218,6 @@ def _magnets(scenario: Scenario, force: FloatArray) -> FloatArray:
 
 def _asked(plan: Plan, of_axle: dict[str, FloatArray]) -> FloatArray:
     """Return what friction and dynamic brake would bring to the tread were the valve open."""
-    from railgrip.engine import layout as at
 
     def of(offset: int) -> FloatArray:
         column: FloatArray = plan.parameters[1:, offset - at.FIRST_PARAMETER]

@@ -97,6 +97,20 @@ def driver_demand(
 
 
 @compiled
+def note_brake_command(L: int, S: Any, timing: Any, k: int) -> None:
+    """Keep where and how fast the train was at the first brake command."""
+    tick = int(S[at.TICK * L + k])
+    if S[at.BRAKE_TIME * L + k] >= 0.0 or tick < timing.first_brake_tick:
+        return
+    S[at.BRAKE_TIME * L + k] = tick * timing.tick
+    S[at.BRAKE_POSITION * L + k] = S[at.POSITION * L + k]
+    S[at.BRAKE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
+    S[at.FIRST_DEMAND * L + k], _ = driver_demand(
+        tick, timing.demand_tick, timing.demand_level, timing.demand_emergency
+    )
+
+
+@compiled
 def obey(L: int, S: Any, command: Any, n_axles: int, k: int, slot: int) -> None:
     """Take a controller's command over, or note that it is none."""
     wrong = 0.0

@@ -10,7 +10,7 @@ from railgrip.engine import layout as at
 from railgrip.engine.compiler import compiled
 from railgrip.engine.rail import enter_cells, field_before, lay_rail
 from railgrip.engine.records import kinetic_energy
-from railgrip.engine.sensing import driver_demand
+from railgrip.engine.sensing import note_brake_command
 
 
 @compiled
@@ -35,14 +35,7 @@ def begin_run(L: int, S: Any, memory: Any, plan: Any, overrides: Any, k: int, ru
     _begin_rail(L, S, memory, plan.way, n_axles, k)
     for axle in range(n_axles):
         _begin_axle(L, S, plan, k, axle)
-    timing = plan.timing
-    if timing.first_brake_tick == 0:
-        S[at.BRAKE_TIME * L + k] = 0.0
-        S[at.BRAKE_POSITION * L + k] = S[at.POSITION * L + k]
-        S[at.BRAKE_SPEED * L + k] = S[at.TRAIN_SPEED * L + k]
-        S[at.FIRST_DEMAND * L + k], _ = driver_demand(
-            0, timing.demand_tick, timing.demand_level, timing.demand_emergency
-        )
+    note_brake_command(L, S, plan.timing, k)
     S[at.KINETIC_START * L + k] = kinetic_energy(L, S, n_axles, k)
     for vehicle in range(plan.formation.vehicle_front.shape[0]):
         memory.reservoirs[vehicle * L + k] = plan.formation.reservoir_pressure[vehicle]

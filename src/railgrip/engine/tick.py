@@ -113,7 +113,7 @@ def account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
         S[at.GRADIENT_ENERGY * L + k] += h * S[at.GRADIENT_FORCE * L + k] * mean
         S[at.TRACK_BRAKE_ENERGY * L + k] += S[at.TRACK_BRAKE_IMPULSE * L + k] * mean
         S[at.POSITION * L + k] += h * mean
-        S[at.FORCE_SO_FAR * L + k] = 0.0
+        S[at.SLOW_SO_FAR * L + k] = 0.0
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
         _account_energy(lanes, S, b, h)
@@ -124,8 +124,7 @@ def account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
     for k in range(L):
         time = h if S[at.TRAIN_SPEED * L + k] > ACTIVITY_SPEED else 0.0
         S[at.ACTIVE_TIME * L + k] += time
-        # the slow axles have been counted down the train in place of forces
-        half = 2.0 * S[last + at.FORCE_SO_FAR * L + k] >= float(n_axles)
+        half = 2.0 * S[last + at.SLOW_SO_FAR * L + k] >= float(n_axles)
         S[at.SLIDE_ACTIVE * L + k] += time if half else 0.0
         lost = S[at.SPEED_BEFORE_TICK * L + k] - S[at.TRAIN_SPEED * L + k]
         S[at.LAST_DECELERATION * L + k] = lost / h
@@ -158,7 +157,7 @@ def _account_slide(lanes: Any, S: Any, b: int, h: float) -> None:
         S[b + at.HERE_SPEED * L + k] = train_speed
         wheel_speed = S[b + at.WHEEL_SPEED * L + k]
         slow = 1.0 if wheel_speed < 0.9 * train_speed else 0.0
-        S[b + at.FORCE_SO_FAR * L + k] = S[front + at.FORCE_SO_FAR * L + k] + slow
+        S[b + at.SLOW_SO_FAR * L + k] = S[front + at.SLOW_SO_FAR * L + k] + slow
         is_locked = wheel_speed < LOCKED * train_speed and train_speed > ROLLING
         lock_now = S[b + at.LOCK_NOW * L + k] + h if is_locked else 0.0
         S[b + at.LOCK_NOW * L + k] = lock_now
