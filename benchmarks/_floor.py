@@ -13,7 +13,7 @@ from __future__ import annotations
 import numba
 import numpy as np
 
-import railgrip.engine.compiler  # noqa: F401  the same vector width for both, set before compiling
+import railgrip.compiler  # noqa: F401  the same vector width for both, set before compiling
 from railgrip.core.formulas.elementary import arctangent, exp_decay
 
 LANES = 16

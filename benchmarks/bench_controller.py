@@ -12,9 +12,9 @@ import numba
 import numpy as np
 from _common import best_of, options, report
 
+from railgrip.compiler import entry
 from railgrip.control import contract as ctl
 from railgrip.control.conventional_wsp import ConventionalWSP
-from railgrip.engine.compiler import entry
 from railgrip.engine.controllers import compiled, plain_step
 
 AXLES = 16

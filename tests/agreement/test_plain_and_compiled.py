@@ -11,13 +11,14 @@ import pytest
 from tests.conftest import Coach
 
 import railgrip as rg
+from railgrip.compiler import inlined
 from railgrip.contact.falling_friction import falling_friction
 from railgrip.contact.polach_2005 import polach_2005
 from railgrip.contact.rail_friction import DRY_POLACH_2005, WET_POLACH_2005, RailFriction
 from railgrip.control.contract import Command, Measured, Setup
 from railgrip.control.conventional_wsp import ConventionalWSP
 from railgrip.control.no_protection import NoProtection
-from railgrip.engine.compiler import creep_law, inlined
+from railgrip.engine.plug_ins import creep_law
 
 
 class OnlyPlain:

@@ -17,9 +17,9 @@ from railgrip.brake.orifice import orifice_flow
 from railgrip.brake.piecewise_friction import PiecewiseFriction, piecewise_friction
 from railgrip.brake.rigging import Rigging, clamp_force, hysteresis
 from railgrip.brake.track_brake import TrackBrake, track_brake_force
+from railgrip.compiler import inlined
 from railgrip.core.formulas.piecewise_linear import hinges_from_points
 from railgrip.core.formulas.two_node_heat import DiscHeat, two_node_heat_rates
-from railgrip.engine.compiler import inlined
 
 FLAT = hinges_from_points([(25e3, 1.0)])
 FADE = hinges_from_points([(150.0, 1.0), (350.0, 0.8)])

@@ -9,13 +9,13 @@ import numba
 import numpy as np
 import pytest
 
+from railgrip.compiler import inlined
 from railgrip.contact.carter_1926 import carter_1926
 from railgrip.contact.freibauer_1983 import freibauer_1983
 from railgrip.contact.polach_2005 import polach_2005
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.contact.shen_hedrick_elkins_1983 import shen_hedrick_elkins_1983
 from railgrip.core.formulas.elementary import arctangent, exp_decay, power_0_8
-from railgrip.engine.compiler import inlined
 
 COUNT = 4096
 

@@ -20,6 +20,7 @@ GROUPS = {
     "railgrip.controllers": "controller",
     "railgrip.laws": "law",
     "railgrip.readers": "reader",
+    "railgrip.rolling_laws": "law of rolling contact",
 }
 """Entry point group → the word that messages use for one of its members."""
 
@@ -37,7 +38,7 @@ def names(group: str) -> list[str]:
     Parameters
     ----------
     group : str
-        ``railgrip.controllers``, ``railgrip.laws`` or ``railgrip.readers``.
+        A key of `GROUPS`.
 
     Raises
     ------
@@ -58,7 +59,7 @@ def resolve(group: str, name: str, where: str = "") -> Any:
     Parameters
     ----------
     group : str
-        ``railgrip.controllers``, ``railgrip.laws`` or ``railgrip.readers``.
+        A key of `GROUPS`.
     name : str
         Name under which the plug-in is registered.
     where : str

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from railgrip.compiler import compiled, entry, inlined
 from railgrip.contact.polach_2005 import polach_2005
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.core import registry
 from railgrip.engine import layout as at
-from railgrip.engine.compiler import compiled, entry, inlined
 from railgrip.engine.offsets import as_offset
 from railgrip.engine.plan import FloatArray, Plan
 from railgrip.scenario.scenario import Scenario

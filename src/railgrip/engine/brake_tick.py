@@ -15,11 +15,11 @@ from railgrip.brake.karwatzki_1950 import KarwatzkiParameters, karwatzki_1950
 from railgrip.brake.orifice import orifice_flow
 from railgrip.brake.piecewise_friction import PiecewiseFriction, piecewise_friction
 from railgrip.brake.rigging import hysteresis
+from railgrip.compiler import inlined
 from railgrip.core.formulas.piecewise_linear import Hinges
 from railgrip.core.formulas.two_node_heat import DiscHeat, two_node_heat_rates
 from railgrip.engine import layout
 from railgrip.engine import offsets as at
-from railgrip.engine.compiler import inlined
 from railgrip.engine.offsets import width
 
 CUT_OFF = 4.0

@@ -11,8 +11,8 @@ from railgrip.control.controller_file import load_controller_class
 from railgrip.control.no_protection import NoProtection
 from railgrip.core import registry
 from railgrip.core.errors import Problem, RailgripError, unknown_name
-from railgrip.engine.compiler import CONTROLLER_INITIAL, CONTROLLER_KERNEL, first_class
 from railgrip.engine.plan import FloatArray
+from railgrip.engine.plug_ins import CONTROLLER_INITIAL, CONTROLLER_KERNEL, first_class
 from railgrip.scenario.run import Wsp
 
 WHERE = "wsp.controller"

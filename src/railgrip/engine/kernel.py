@@ -12,11 +12,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from railgrip.compiler import compiled, entry, inlined
 from railgrip.control.rotation_monitoring import rotation_monitoring
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
 from railgrip.engine import offsets as to
-from railgrip.engine.compiler import compiled, entry, inlined
 from railgrip.engine.offsets import width
 from railgrip.engine.rail import enter_cells, heat_rail, lay_sand, line_forces
 from railgrip.engine.records import finish_run, record

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from railgrip.compiler import inlined
 from railgrip.engine import layout
-from railgrip.engine.compiler import inlined
 
 ONE_LANE = (0,)
 SIXTEEN_LANES = (0,) * layout.LANES

@@ -11,11 +11,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from railgrip.compiler import compiled, inlined
 from railgrip.core.constants import GRAVITY
 from railgrip.core.formulas.elementary import exp_decay, power_2_3
 from railgrip.engine import layout as at
 from railgrip.engine import offsets as to
-from railgrip.engine.compiler import compiled, inlined
 from railgrip.engine.offsets import width
 from railgrip.track.cleaning import blended, left_contaminant
 from railgrip.track.random_field import lognormal_factor, next_field_value, standard_normal

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from railgrip.compiler import compiled
 from railgrip.control import contract as ctl
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
-from railgrip.engine.compiler import compiled
 from railgrip.engine.sensing import driver_demand
 
 STOPPED = int(RunStatus.STOPPED)

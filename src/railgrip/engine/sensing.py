@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from railgrip.compiler import compiled, inlined
 from railgrip.control import contract as ctl
 from railgrip.engine import layout as at
 from railgrip.engine import offsets as to
-from railgrip.engine.compiler import compiled, inlined
 from railgrip.engine.offsets import width
 
 SILENCE = 0.5

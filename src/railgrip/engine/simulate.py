@@ -15,7 +15,6 @@ from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.core.status import RunStatus
 from railgrip.engine import kernel
 from railgrip.engine import layout as at
-from railgrip.engine.compiler import CREEP_LAW, creep_law, first_class
 from railgrip.engine.controllers import (
     Compiled,
     compiled,
@@ -26,6 +25,7 @@ from railgrip.engine.controllers import (
 )
 from railgrip.engine.lower import LAWS, controller_setup, lower, ring_cells
 from railgrip.engine.plan import FloatArray, Memory, Outcome, Overrides, Plan
+from railgrip.engine.plug_ins import CREEP_LAW, creep_law, first_class
 from railgrip.engine.records import AXLE_OUTCOMES, AXLE_TRACES, TRAIN_OUTCOMES, TRAIN_TRACES
 from railgrip.engine.result import Result
 from railgrip.scenario.scenario import Scenario

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from railgrip.compiler import compiled
 from railgrip.control import contract as ctl
 from railgrip.engine import layout as at
-from railgrip.engine.compiler import compiled
 from railgrip.engine.rail import enter_cells, field_before, lay_rail
 from railgrip.engine.records import kinetic_energy
 from railgrip.engine.sensing import note_brake_command

@@ -22,6 +22,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from railgrip.compiler import inlined
 from railgrip.contact.falling_friction import falling_friction
 from railgrip.contact.freibauer_1983 import freibauer_1983
 from railgrip.contact.polach_2005 import polach_2005
@@ -29,7 +30,6 @@ from railgrip.contact.rail_friction import RailFriction
 from railgrip.contact.shen_hedrick_elkins_1983 import shen_hedrick_elkins_1983
 from railgrip.engine import layout
 from railgrip.engine import offsets as at
-from railgrip.engine.compiler import inlined
 from railgrip.engine.offsets import width
 
 LEAST_ROLLING_SPEED = 1e-3

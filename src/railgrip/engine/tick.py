@@ -9,10 +9,10 @@ from __future__ import annotations
 from typing import Any
 
 from railgrip.brake.track_brake import TrackBrake, track_brake_force
+from railgrip.compiler import inlined
 from railgrip.core.formulas.elementary import power_0_8
 from railgrip.engine import offsets as at
 from railgrip.engine.brake_tick import brake_pass, heat_pass
-from railgrip.engine.compiler import inlined
 from railgrip.engine.offsets import width
 from railgrip.engine.rail import rail_pass
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numba
 import pytest
 
-from railgrip.engine.compiler import inlined
+from railgrip.compiler import inlined
 from railgrip.track.random_field import philox_4x32
 
 VECTORS = [

@@ -16,10 +16,11 @@ import numpy as np
 import pytest
 from numba import types
 
+from railgrip.compiler import inlined
 from railgrip.engine import kernel
-from railgrip.engine.compiler import CREEP_LAW, first_class, inlined
 from railgrip.engine.lower import LAWS
 from railgrip.engine.offsets import SIXTEEN_LANES, width
+from railgrip.engine.plug_ins import CREEP_LAW, first_class
 
 pytestmark = pytest.mark.skipif(
     platform.machine().lower() not in ("x86_64", "amd64"),

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from railgrip.engine.compiler import inlined
+from railgrip.compiler import inlined
 from railgrip.track.cleaning import blended, left_contaminant
 from railgrip.track.random_field import lognormal_factor, next_field_value, standard_normal
 from railgrip.track.sanding import sanded_friction
