@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from railgrip.app.files import folder_of_results
 from railgrip.app.screen import print_table
-from railgrip.core.status import RunStatus
+from railgrip.core.status import ENDED_WELL
 
 if TYPE_CHECKING:
     from railgrip.engine.result import Result
@@ -24,14 +24,14 @@ def verdicts(result: Result) -> list[Verdict]:
     return check_limits(result, result.scenario.limits.model_dump(exclude_none=True))
 
 
-def stopped(result: Result) -> bool:
-    """Whether the train came to a stand."""
-    return result.status == RunStatus.STOPPED
+def ended_well(result: Result) -> bool:
+    """Whether the train did what was asked: it stopped, arrived, or ran for its time."""
+    return result.status in ENDED_WELL
 
 
 def exit_code(result: Result) -> int:
-    """Return 0, or 1 when the train did not stop or a limit was missed."""
-    return DONE if stopped(result) and all(one.passed for one in verdicts(result)) else MISSED
+    """Return 0, or 1 when the run did not end well or a limit was missed."""
+    return DONE if ended_well(result) and all(one.passed for one in verdicts(result)) else MISSED
 
 
 def as_json(result: Result, files: list[Path]) -> dict[str, Any]:
@@ -93,7 +93,7 @@ def write(result: Result, folder: Path, formats: Sequence[str] = (), **report: A
 
 def show_missed(result: Result, name: str) -> None:
     """Print what a run among others missed, nothing if all is well."""
-    if not stopped(result):
+    if not ended_well(result):
         print(f"{name}: {result.sentence}")
     for verdict in verdicts(result):
         if not verdict.passed:

@@ -39,7 +39,8 @@ CYLINDER_PRESSURE: Final = 1
 DYNAMIC_FORCE: Final = 2
 BRAKE_DEMAND: Final = 3
 EMERGENCY: Final = 4
-N_MEASURED: Final = 5
+DRIVE_DEMAND: Final = 5
+N_MEASURED: Final = 6
 
 # Columns of axle_setup[axle, column].
 BELIEVED_RADIUS: Final = 0
@@ -69,7 +70,8 @@ class Setup(NamedTuple):
     wheel_radius : ndarray (axle)
         Rolling radius as the controller believes it, [m]; the wheel may be worn.
     motored, braked : ndarray of bool (axle)
-        Whether the axle has a dynamic brake, whether it has a friction brake with a dump valve.
+        Whether the axle has a motor (dynamic brake or traction), whether it has a friction brake
+        with a dump valve.
     """
 
     n_axles: int
@@ -90,11 +92,13 @@ class Measured(NamedTuple):
     brake_cylinder_pressure : ndarray (axle)
         Gauge pressure in the brake cylinder, [Pa].
     dynamic_force : ndarray (axle)
-        Dynamic brake force achieved at the tread, >= 0, [N].
+        Motor force achieved at the tread, dynamic brake positive, traction negative, [N].
     brake_demand : float
         What the driver asks for, 0 (none) to 1 (full).
     emergency : float
         1 in an emergency brake application, else 0.
+    drive_demand : float
+        What the driver asks of the motors, 0 (none) to 1 (full tractive effort).
     """
 
     wheel_speed: FloatArray
@@ -102,6 +106,7 @@ class Measured(NamedTuple):
     dynamic_force: FloatArray
     brake_demand: float
     emergency: float
+    drive_demand: float = 0.0
 
 
 class Command(NamedTuple):
@@ -112,7 +117,7 @@ class Command(NamedTuple):
     dump_valve : ndarray (axle)
         FILL (0), HOLD (1) or VENT (2).
     dynamic_share : ndarray (axle)
-        Share of the demanded dynamic brake force that is permitted, 0..1.
+        Share of the demanded motor force (dynamic brake or traction) that is permitted, 0..1.
     sanding : ndarray (axle)
         1 where sand is wanted, else 0.
     reference_speed : float
@@ -193,6 +198,7 @@ def measured_array(measured: Measured) -> FloatArray:
     array[:, DYNAMIC_FORCE] = measured.dynamic_force
     array[:, BRAKE_DEMAND] = measured.brake_demand
     array[:, EMERGENCY] = measured.emergency
+    array[:, DRIVE_DEMAND] = measured.drive_demand
     return array
 
 

@@ -44,6 +44,7 @@ _CATALOGUE = (
     Signal("acceleration", "a", "m/s^2", _TRAIN, "Acceleration of the train, driving positive."),
     Signal("reference_speed", "v_ref", "m/s", _TRAIN, "Train speed as the WSP believes it."),
     Signal("brake_demand", "d", "1", _TRAIN, "Driver's demand as a share of full braking."),
+    Signal("drive_demand", "d_D", "1", _TRAIN, "Driver's demand as a share of full traction."),
     # each axle over time
     Signal("wheel_speed", "w", "m/s", _AXLE, "True peripheral speed of the wheel at the tread."),
     Signal("measured_speed", "w_m", "m/s", _AXLE, "Wheel speed as the controller measures it."),
@@ -76,7 +77,7 @@ _CATALOGUE = (
         "tau_q",
         "1",
         _AXLE,
-        "Force that driver and brake ask for at the tread, before any slide protection, "
+        "Force that driver, brake and motor ask for at the tread, before any slide protection, "
         "over wheel load.",
     ),
     Signal(
@@ -90,7 +91,13 @@ _CATALOGUE = (
     Signal("clamp_force", "F_b", "N", _AXLE, "Force of pads or blocks, all units of the axle."),
     Signal("pad_friction", "mu_p", "1", _AXLE, "Friction coefficient of pads or blocks."),
     Signal("brake_force", "F_B", "N", _AXLE, "Friction brake force acting at the tread."),
-    Signal("dynamic_force", "F_D", "N", _AXLE, "Dynamic brake force acting at the tread."),
+    Signal(
+        "dynamic_force",
+        "F_D",
+        "N",
+        _AXLE,
+        "Force of the motor at the tread: dynamic brake positive, traction negative.",
+    ),
     Signal("disc_temperature", "T_1", "degC", _AXLE, "Friction ring (or tread) temperature."),
     Signal("hub_temperature", "T_2", "degC", _AXLE, "Temperature of the disc's hub."),
     Signal(
@@ -124,6 +131,8 @@ _CATALOGUE = (
     Signal("rail_friction_after", "mu_0", "1", _CELL, "Static friction of the rail after it."),
     Signal("rail_sand", "q_s", "kg/m", _CELL, "Sand laid per metre of line."),
     # outcomes
+    Signal("covered_distance", "x", "m", _RUN, "Distance from start to end of the run."),
+    Signal("final_speed", "v_1", "m/s", _RUN, "Speed of the train at the end of the run."),
     Signal("status", "", "1", _RUN, "How the run ended (RunStatus)."),
     Signal("initial_speed", "v_0", "m/s", _RUN, "Speed at the first brake command."),
     Signal(
@@ -175,6 +184,7 @@ _CATALOGUE = (
     Signal("energy_contact", "E_c", "J", _RUN, "Friction work between wheel and rail."),
     Signal("energy_brake", "E_b", "J", _RUN, "Work of the friction brakes."),
     Signal("energy_dynamic", "E_d", "J", _RUN, "Work of the dynamic brake."),
+    Signal("energy_traction", "E_t", "J", _RUN, "Work of the motors that drive."),
     Signal("energy_track_brake", "E_m", "J", _RUN, "Work of the magnetic track brakes."),
     Signal("energy_resistance", "E_r", "J", _RUN, "Work of running and curve resistance."),
     Signal("energy_gradient", "E_g", "J", _RUN, "Work against gravity, uphill positive."),
@@ -192,6 +202,14 @@ _CATALOGUE = (
     Signal("axle_longest_lock", "", "s", _PER_AXLE, "Longest single time of locking."),
     Signal("axle_greatest_slip", "", "1", _PER_AXLE, "Greatest slip above 3 m/s train speed."),
     Signal("axle_slide_time", "", "s", _PER_AXLE, "Time with a creepage beyond 5 %."),
+    Signal(
+        "axle_greatest_spin",
+        "",
+        "1",
+        _PER_AXLE,
+        "Greatest (wheel_speed - train_speed)/wheel_speed while the wheel turns above 3 m/s.",
+    ),
+    Signal("axle_spin_time", "", "s", _PER_AXLE, "Time spinning by more than 5 %."),
     Signal("axle_greatest_disc_temperature", "", "degC", _PER_AXLE, "Greatest disc temperature."),
     Signal(
         "axle_flat_length",

@@ -16,13 +16,17 @@ class RunStatus(IntEnum):
     TIME_LIMIT = 5
     DIVERGED = 6
     CONTROLLER_FAILED = 7
+    COMPLETED = 8
 
 
 _SENTENCES = {
     RunStatus.RUNNING: "The run has not ended.",
     RunStatus.STOPPED: "The train came to a stand.",
     RunStatus.ARRIVED: "The train arrived at its destination.",
-    RunStatus.STALLED: "The train cannot move on; try more tractive effort or a lighter train.",
+    RunStatus.STALLED: (
+        "The train rolled back although it was driven; try more tractive effort, a lighter train, "
+        "or to hold it by the brake until the effort has built up."
+    ),
     RunStatus.END_OF_TRACK: (
         "The line ended before the train stood; "
         "try a longer line, an earlier start or a lower speed."
@@ -38,7 +42,12 @@ _SENTENCES = {
     RunStatus.CONTROLLER_FAILED: (
         "The controller returned something that is no command; run 'railgrip check' on it."
     ),
+    RunStatus.COMPLETED: "The time that was asked for has passed.",
 }
+
+
+ENDED_WELL = (RunStatus.STOPPED, RunStatus.ARRIVED, RunStatus.COMPLETED)
+"""Outcomes that are what was asked for."""
 
 
 def sentence(status: int) -> str:

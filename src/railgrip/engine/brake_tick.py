@@ -22,6 +22,8 @@ from railgrip.engine import layout
 from railgrip.engine import offsets as at
 from railgrip.engine.offsets import width
 
+LEAST_POWER_SPEED = 0.1
+"""Below it power no longer bounds the tractive effort, m/s."""
 CUT_OFF = 4.0
 """A converter cuts its torque off so many times faster than it builds it up; illustrative."""
 
@@ -52,7 +54,7 @@ def demand_pass(lanes: Any, S: Any, b: int, tick: float, demand_tick: Any, level
 
 @inlined
 def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
-    """Dynamic brake of one axle: it takes what it can of the demand."""
+    """Motor of one axle: of the brake demand it takes what it can, and it drives (negative)."""
     L = width(lanes)
     for k in range(L):
         brake = DynamicBrake(
@@ -64,10 +66,15 @@ def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
         limit = _dynamic_limit(brake, end)
         asked = S[b + at.DEMAND * L + k] * S[b + at.FULL_FORCE * L + k]
         permitted = S[b + at.DYNAMIC_SHARE * L + k] * S[b + at.HERE_DYNAMIC * L + k]
-        wanted = min(limit, asked) * permitted
+        by_power = S[b + at.TRACTION_POWER * L + k] / max(end, LEAST_POWER_SPEED)
+        effort = min(S[b + at.TRACTION_MAX * L + k], by_power) * S[b + at.HERE_DRIVE * L + k]
+        wanted = min(limit, asked) * permitted - effort * S[b + at.DYNAMIC_SHARE * L + k]
         force = S[b + at.DYNAMIC_FORCE * L + k]
-        change = S[b + at.DYNAMIC_RATE * L + k] * h
-        after = max(force - CUT_OFF * change, min(force + change, wanted))
+        braking = S[b + at.DYNAMIC_RATE * L + k] * h
+        driving = S[b + at.TRACTION_RATE * L + k] * h
+        lowest = force - (CUT_OFF * braking if force > 0.0 else driving)
+        highest = force + (CUT_OFF * driving if force < 0.0 else braking)
+        after = max(lowest, min(highest, wanted))
         S[b + at.DYNAMIC_FORCE * L + k] = after
         S[b + at.DYNAMIC_ACTING * L + k] = 0.5 * (force + after)
 
@@ -75,7 +82,7 @@ def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
 @inlined
 def _target(L: int, S: Any, b: int, k: int) -> float:
     """Return the pressure for what the dynamic brake leaves over."""
-    taken = S[b + at.DYNAMIC_ACTING * L + k] * S[b + at.PER_FULL_FORCE * L + k]
+    taken = max(S[b + at.DYNAMIC_ACTING * L + k], 0.0) * S[b + at.PER_FULL_FORCE * L + k]
     left = S[b + at.DEMAND * L + k] - taken
     return float(S[b + at.FULL_PRESSURE * L + k] * max(left, 0.0))
 

@@ -133,6 +133,7 @@ def plain_step(controller: Any, state: Any, measured: FloatArray, dt: float) -> 
         dynamic_force=measured[:, ctl.DYNAMIC_FORCE].copy(),
         brake_demand=float(measured[0, ctl.BRAKE_DEMAND]),
         emergency=float(measured[0, ctl.EMERGENCY]),
+        drive_demand=float(measured[0, ctl.DRIVE_DEMAND]),
     )
     n_axles = len(measured)
     columns = ctl.command_array(n_axles)

@@ -22,11 +22,13 @@ from railgrip.engine.rail import enter_cells, heat_rail, lay_sand, line_forces
 from railgrip.engine.records import finish_run, record
 from railgrip.engine.sensing import (
     ask_for_sand,
+    drive_demand,
     driver_demand,
     gather,
     note_brake_command,
     obey,
     sense_pass,
+    share_inverters,
     valve_pass,
 )
 from railgrip.engine.start import begin_run
@@ -39,6 +41,8 @@ NORMAL_PRESSURE = 1.0e5
 """Air is counted at 1 bar, Pa."""
 NEARLY_STANDING = 0.05
 """Below this speed a stop within the coming tick is looked for, m/s."""
+ROLLING_BACK = -0.5
+"""A driven train that is slower than this has not got its load under way, m/s."""
 WRAP = at.MAX_DELAY - 1
 
 RUNNING = int(RunStatus.RUNNING)
@@ -47,6 +51,8 @@ END_OF_TRACK = int(RunStatus.END_OF_TRACK)
 TIME_LIMIT = int(RunStatus.TIME_LIMIT)
 DIVERGED = int(RunStatus.DIVERGED)
 CONTROLLER_FAILED = int(RunStatus.CONTROLLER_FAILED)
+COMPLETED = int(RunStatus.COMPLETED)
+STALLED = int(RunStatus.STALLED)
 
 
 @entry
@@ -133,6 +139,7 @@ def drive(L: int, S: Any, memory: Any, plan: Any) -> None:
         S[at.TRACK_BRAKE_ON * L + k] = emergency
         allowed = formation.dynamic_in_emergency == 1 or emergency == 0.0
         S[at.DYNAMIC_ALLOWED * L + k] = 1.0 if allowed else 0.0
+        S[at.DRIVE_DEMAND * L + k] = drive_demand(tick, timing.drive_tick, timing.drive_level)
         note_brake_command(L, S, timing, k)
         enter_cells(L, S, energy, factor, sand, way, n_axles, 0.5 * timing.tick, k)
         if way.is_level == 0:
@@ -148,8 +155,8 @@ def _listen(
     measured, alarm = memory.measured[k], memory.alarm[k]
     demand, emergency = S[at.DRIVER_DEMAND * L + k], S[at.EMERGENCY * L + k]
     gather(
-        to.as_offset(L), S, measured, demand, emergency, to.as_offset(n_axles), to.as_offset(k),
-        to.as_offset(slot),
+        to.as_offset(L), S, measured, demand, emergency, S[at.DRIVE_DEMAND * L + k],
+        to.as_offset(n_axles), to.as_offset(k), to.as_offset(slot),
     )  # fmt: skip
     if int(S[at.TICK * L + k]) % timing.monitor_every == 0:
         period = timing.tick * timing.monitor_every
@@ -181,6 +188,8 @@ def control(
             controller(parameters, setup, state, measured, command, period)
         slot = to.as_offset(at.VALVE_HISTORY + (moment & WRAP))
         obey(to.as_offset(L), S, command, plan.n_axles, to.as_offset(k), slot)
+        if plan.formation.has_shared_inverter == 1:
+            share_inverters(L, S, plan.formation.inverter_of_axle, k)
         if plan.formation.has_sander == 1:
             ask_for_sand(L, S, command, n_axles, k)
 
@@ -223,8 +232,11 @@ def _take_air(L: int, S: Any, reservoirs: Any, formation: Any, n_axles: int, tic
 
 @compiled
 def _look_for_stop(L: int, S: Any, tick: float, k: int) -> None:
-    """Locate the stand within the coming tick: with constant deceleration, exactly."""
-    if S[at.STOP_TIME * L + k] >= 0.0:
+    """Locate the stand within the coming tick: with constant deceleration, exactly.
+
+    A train that is driven may stand: it is about to move.
+    """
+    if S[at.STOP_TIME * L + k] >= 0.0 or S[at.DRIVE_DEMAND * L + k] > 0.0:
         return
     speed = S[at.TRAIN_SPEED * L + k]
     deceleration = S[at.LAST_DECELERATION * L + k]
@@ -239,22 +251,25 @@ def _look_for_stop(L: int, S: Any, tick: float, k: int) -> None:
 
 
 @compiled
-def _status(L: int, S: Any, limit: int, after_stop: int, origin: float, end: float, k: int) -> int:
+def _status(L: int, S: Any, timing: Any, origin: float, end: float, k: int) -> int:
     """Return whether lane k goes on, or how it ends."""
+    limit, after_stop, goes_on = timing.limit, timing.after_stop, timing.goes_on == 1
     speed = S[at.TRAIN_SPEED * L + k]
     rear = S[at.POSITION * L + k] - S[at.TRAIN_LENGTH * L + k]
     if not math.isfinite(speed) or not math.isfinite(S[at.POSITION * L + k]):
         return DIVERGED
     if S[at.CONTROLLER_ERROR * L + k] > 0.0:
         return CONTROLLER_FAILED
-    if S[at.STOP_TIME * L + k] >= 0.0:
+    if S[at.STOP_TIME * L + k] >= 0.0 and not goes_on:
         S[at.STAND_TICKS * L + k] += 1.0
         if S[at.STAND_TICKS * L + k] > after_stop:
             return STOPPED
+    if S[at.DRIVE_DEMAND * L + k] > 0.0 and speed < ROLLING_BACK:
+        return STALLED
     if S[at.POSITION * L + k] >= end or rear < origin:
         return END_OF_TRACK
     if S[at.TICK * L + k] >= limit:
-        return TIME_LIMIT
+        return COMPLETED if goes_on else TIME_LIMIT
     return RUNNING
 
 
@@ -267,7 +282,7 @@ def look_after(L: int, S: Any, memory: Any, plan: Any, out: Any, k: int) -> int:
         record(L, S, memory, plan, out, n_axles, k)
     _look_for_stop(L, S, timing.tick, k)
     way = plan.way
-    status = _status(L, S, timing.limit, timing.after_stop, way.origin, way.end, k)
+    status = _status(L, S, timing, way.origin, way.end, k)
     if status != RUNNING:
         for axle in range(n_axles):
             b = (1 + axle) * at.N_VARS * L
@@ -401,6 +416,7 @@ def after_control_single(memory: Any, plan: Any, moment: int, custom: Any) -> No
     n_axles = plan.formation.vehicle_of_axle.shape[0]
     slot = to.as_offset(at.VALVE_HISTORY + (moment & WRAP))
     obey(to.as_offset(1), S, memory.command[0], plan.n_axles, to.as_offset(0), slot)
+    share_inverters(1, S, plan.formation.inverter_of_axle, 0)
     ask_for_sand(1, S, memory.command[0], n_axles, 0)
     advance_single(S, plan, custom, moment)
     leave_behind(1, S, memory, plan)

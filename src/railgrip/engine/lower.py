@@ -15,6 +15,7 @@ from railgrip.engine.lower_train import ENDLESS, lower_train
 from railgrip.engine.plan import FloatArray, Formation, IntArray, Plan, Timing, Way
 from railgrip.scenario.line import Line
 from railgrip.scenario.rail import FrictionState, RailCondition
+from railgrip.scenario.run import DrivePoint
 from railgrip.scenario.scenario import Scenario
 
 LAWS = {
@@ -32,6 +33,8 @@ ELEVATION_STEP = 1.0
 """Spacing of heights along the line, m."""
 MONITOR_PERIOD = 0.1
 """Wheel rotation monitoring works in seconds; it looks so often, s."""
+FASTEST = 600 / 3.6
+"""Speed that a driven train without a permitted one is prepared for, m/s."""
 NEVER = 2**62
 """A tick that does not come."""
 
@@ -91,14 +94,14 @@ def _timing(scenario: Scenario, control_period: float) -> Timing:
                 got=f"step {run.step * 1e3:g} ms, period {control_period * 1e3:g} ms",
             )
         )
-    points = run.demand
+    points, drive = run.demand, run.drive or (DrivePoint(level=0.0),)
     ticks = np.array([round(point.at / run.step) for point in points], dtype=np.int64)
     braking = [tick for tick, point in zip(ticks, points, strict=True) if point.level > 0]
     valve = train.dump_valve
     sander = train.sander
     return Timing(
         tick=run.step,
-        limit=round(run.time_limit / run.step),
+        limit=round((run.duration or run.time_limit) / run.step),
         after_stop=round(run.after_stop / run.step),
         trace_every=round(run.trace / run.step),
         control_every=round(every),
@@ -107,6 +110,9 @@ def _timing(scenario: Scenario, control_period: float) -> Timing:
         demand_level=np.array([point.level for point in points]),
         demand_emergency=np.array([float(point.emergency) for point in points]),
         first_brake_tick=int(braking[0]) if braking else NEVER,
+        drive_tick=np.array([round(point.at / run.step) for point in drive], dtype=np.int64),
+        drive_level=np.array([point.level for point in drive]),
+        goes_on=int(run.duration is not None),
         sensor_delay=_ticks(scenario, "train.sensor.delay", train.sensor.delay),
         sensor_teeth=float(train.sensor.teeth),
         sensor_timer=train.sensor.timer,
@@ -128,13 +134,15 @@ def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
     masses = np.array([v.tare + p for v, p in zip(train.vehicle, scenario.payloads(), strict=True)])
     air = train.reservoir
     setup = np.zeros((len(axles), ctl.N_SETUP))
+    has_motors = train.dynamic_brake is not None or train.traction is not None
     for i, place in enumerate(axles):
         setup[i, ctl.BELIEVED_RADIUS] = place.axle.believed_radius
-        setup[i, ctl.MOTORED] = place.axle.motor and train.dynamic_brake is not None
+        setup[i, ctl.MOTORED] = place.axle.motor and has_motors
         setup[i, ctl.BRAKED] = place.axle.brake is not None and train.dump_valve is not None
     in_emergency = train.dynamic_brake.in_emergency if train.dynamic_brake else True
     return Formation(
         vehicle_of_axle=np.array([place.vehicle for place in axles], dtype=np.int64),
+        inverter_of_axle=_inverters(scenario),
         vehicle_front=np.array(train.vehicle_fronts()),
         vehicle_length=np.array([vehicle.length for vehicle in train.vehicle]),
         vehicle_share=masses / masses.sum(),
@@ -144,8 +152,25 @@ def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
         brakes=brakes,
         dynamic_in_emergency=int(in_emergency),
         has_sander=int(train.sander is not None),
+        has_shared_inverter=int(train.traction is not None and train.traction.inverter != "axle"),
         axle_setup=setup,
     )
+
+
+def _inverters(scenario: Scenario) -> IntArray:
+    """Return for each axle the first axle that the same inverter feeds."""
+    traction = scenario.train.traction
+    kind = traction.inverter if traction is not None else "axle"
+    first: dict[tuple[int, ...], int] = {}
+    found = []
+    for i, place in enumerate(scenario.train.axles()):
+        own = {
+            "axle": (i,),
+            "bogie": (place.vehicle, place.bogie),
+            "vehicle": (place.vehicle,),
+        }[kind]
+        found.append(first.setdefault(own, i) if place.axle.motor else i)
+    return np.array(found, dtype=np.int64)
 
 
 def _way(scenario: Scenario) -> Way:
@@ -181,7 +206,10 @@ def _way(scenario: Scenario) -> Way:
 
 def cell_length(scenario: Scenario) -> float:
     """Return the length of a rail cell: no wheel may pass more than one a tick."""
-    longest_tick = 1.25 * scenario.run.speed * scenario.run.step
+    fastest = scenario.run.speed
+    if scenario.run.drive:
+        fastest = max(fastest, scenario.train.max_speed or FASTEST)
+    longest_tick = 1.25 * fastest * scenario.run.step
     return LEAST_CELL * max(1, math.ceil(longest_tick / LEAST_CELL))
 
 

@@ -152,6 +152,7 @@ def _axle_values(scenario: Scenario, i: int) -> tuple[dict[str, float], FloatArr
     factor = vehicle.brake_factor(scenario.payloads()[place.vehicle])
     values |= _brake_values(brake, axle.wheel_radius, factor)
     values |= _dynamic_values(scenario, axle.motor)
+    values |= _traction_values(scenario, axle.motor)
     values |= _valve_values(scenario, brake)
     if brake is not None and train.brake_control.kind == "pipe":
         middle = train.vehicle_fronts()[place.vehicle] + vehicle.length / 2
@@ -279,6 +280,19 @@ def _dynamic_values(scenario: Scenario, is_motored: bool) -> dict[str, float]:
         "FADE_START": dynamic.fade_start,
         "FADE_END": dynamic.fade_end,
         "DYNAMIC_RATE": dynamic.force / dynamic.build_up,
+    }
+
+
+def _traction_values(scenario: Scenario, is_motored: bool) -> dict[str, float]:
+    traction = scenario.train.traction if is_motored else None
+    if traction is None:
+        return {"TRACTION_MAX": 0.0, "TRACTION_POWER": 0.0, "TRACTION_RATE": 0.0}
+    n_motors = sum(place.axle.motor for place in scenario.train.axles())
+    force = traction.force / n_motors
+    return {
+        "TRACTION_MAX": force,
+        "TRACTION_POWER": traction.power / n_motors,
+        "TRACTION_RATE": force / traction.build_up,
     }
 
 

@@ -74,6 +74,9 @@ class Timing(NamedTuple):
     demand_level: FloatArray
     demand_emergency: FloatArray
     first_brake_tick: int
+    drive_tick: IntArray
+    drive_level: FloatArray
+    goes_on: int
     sensor_delay: int
     sensor_teeth: float
     sensor_timer: float
@@ -87,6 +90,7 @@ class Formation(NamedTuple):
     """How the axles hang together: vehicle of each axle, and the vehicles' reservoirs and mass."""
 
     vehicle_of_axle: IntArray
+    inverter_of_axle: IntArray
     vehicle_front: FloatArray
     vehicle_length: FloatArray
     vehicle_share: FloatArray
@@ -96,6 +100,7 @@ class Formation(NamedTuple):
     brakes: FloatArray
     dynamic_in_emergency: int
     has_sander: int
+    has_shared_inverter: int
     axle_setup: FloatArray
 
 

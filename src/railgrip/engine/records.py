@@ -8,7 +8,7 @@ from railgrip.compiler import compiled
 from railgrip.control import contract as ctl
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
-from railgrip.engine.sensing import driver_demand
+from railgrip.engine.sensing import drive_demand, driver_demand
 
 STOPPED = int(RunStatus.STOPPED)
 
@@ -17,18 +17,19 @@ TRAIN_OUTCOMES = (
     "status", "initial_speed", "stopping_distance", "stopping_time", "build_up_time",
     "slide_activity", "energy_kinetic_initial", "energy_kinetic_final", "energy_contact",
     "energy_brake", "energy_dynamic", "energy_track_brake", "energy_resistance",
-    "energy_gradient", "energy_rail", "air_used", "end_position", "end_time",
+    "energy_gradient", "energy_rail", "air_used", "energy_traction", "covered_distance",
+    "final_speed", "end_position", "end_time",
 )  # fmt: skip
 """Columns of Outcome.train."""
 AXLE_OUTCOMES = (
     "axle_slid_distance", "axle_slid_energy", "axle_locked_time", "axle_longest_lock",
     "axle_greatest_slip", "axle_slide_time", "axle_greatest_disc_temperature",
-    "axle_locked_slide", "axle_valve_cycles",
+    "axle_locked_slide", "axle_valve_cycles", "axle_greatest_spin", "axle_spin_time",
 )  # fmt: skip
 """Columns of Outcome.axle."""
 TRAIN_TRACES = (
     "train_speed", "train_position", "acceleration", "reference_speed", "brake_demand",
-    "track_brake_force",
+    "track_brake_force", "drive_demand",
 )  # fmt: skip
 """Columns of Outcome.trace_train."""
 AXLE_TRACES = (
@@ -70,6 +71,7 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
         tick, timing.demand_tick, timing.demand_level, timing.demand_emergency
     )
     train[5] = S[at.TRACK_BRAKE_FORCE * L + k]
+    train[6] = drive_demand(tick, timing.drive_tick, timing.drive_level)
     for axle in range(n_axles):
         _record_axle(L, S, memory.command[k, axle], out.trace_axle[run, row, axle], plan, axle, k)
     n_vehicles = out.trace_vehicle.shape[2]
@@ -118,13 +120,16 @@ def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status
     row[11] = S[at.TRACK_BRAKE_ENERGY * L + k]
     row[12] = S[at.RESISTANCE_ENERGY * L + k]
     row[13] = S[at.GRADIENT_ENERGY * L + k]
-    row[16] = S[at.POSITION * L + k]
-    row[17] = S[at.TICK * L + k] * plan.timing.tick
+    row[17] = S[at.POSITION * L + k] - S[at.START_POSITION * L + k]
+    row[18] = S[at.TRAIN_SPEED * L + k]
+    row[19] = S[at.POSITION * L + k]
+    row[20] = S[at.TICK * L + k] * plan.timing.tick
     build_up = 0.0
     full = 0.0
     contact = 0.0
     brake = 0.0
     dynamic = 0.0
+    traction = 0.0
     air = 0.0
     for axle in range(n_axles):
         b = (1 + axle) * at.N_VARS * L + k
@@ -133,6 +138,7 @@ def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status
         contact += S[b + at.SLID_ENERGY * L]
         brake += S[b + at.BRAKE_ENERGY * L]
         dynamic += S[b + at.DYNAMIC_ENERGY * L]
+        traction += S[b + at.TRACTION_ENERGY * L]
         air += S[b + at.AIR_USED * L]
         line = out.axle[run, axle]
         line[0] = S[b + at.SLID_DISTANCE * L]
@@ -144,12 +150,15 @@ def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status
         line[6] = S[b + at.GREATEST_TEMPERATURE * L]
         line[7] = S[b + at.LOCKED_SLIDE * L]
         line[8] = S[b + at.VALVE_CYCLES * L]
+        line[9] = S[b + at.GREATEST_SPIN * L]
+        line[10] = S[b + at.SPIN_TIME * L]
     row[4] = build_up / max(full, 1e-9)
     row[8] = contact
     row[9] = brake
     row[10] = dynamic
     row[14] = S[at.RAIL_ENERGY * L + k]
     row[15] = air
+    row[16] = traction
     if status != STOPPED or S[at.BRAKE_TIME * L + k] < 0.0:
         row[2] = float("nan")
         row[3] = float("nan")

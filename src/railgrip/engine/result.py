@@ -26,6 +26,18 @@ TREAD_WIDTH = 0.02
 """Width of the patch that a locked wheel grinds, m (illustrative)."""
 
 
+OF_DRIVING = {
+    "drive_demand", "energy_traction", "covered_distance", "final_speed", "axle_greatest_spin",
+    "axle_spin_time",
+}  # fmt: skip
+"""What only a run that drives, or goes on for a given time, has to tell."""
+
+
+def drives(scenario: Scenario) -> bool:
+    """Return whether a run is more than a stop: it drives, or goes on for a given time."""
+    return bool(scenario.run.drive) or scenario.run.duration is not None
+
+
 @dataclass(frozen=True)
 class Result:
     """What happened in one run or in many.
@@ -60,6 +72,9 @@ class Result:
         stopped = int((self.data["status"] == RunStatus.STOPPED).sum())
         distance = self.data["stopping_distance"].values
         head = f"{self.scenario.title or 'untitled scenario'}: "
+        if n_runs == 1 and "covered_distance" in self.data:
+            covered = float(self.data["covered_distance"].values[0])
+            return f"{head}{self.sentence} {covered:.1f} m covered."
         if n_runs == 1:
             return f"{head}{self.sentence} {distance[0]:.1f} m after the brake command."
         median = float(np.nanmedian(distance)) if stopped else float("nan")
@@ -95,6 +110,8 @@ class Result:
             coords["cell"] = (
                 "cell", position, {"units": "m", "long_name": "Position on the line."},
             )  # fmt: skip
+        if not drives(scenario):
+            variables = {name: v for name, v in variables.items() if name not in OF_DRIVING}
         data = xr.Dataset(
             {name: (dims, values, attributes(name)) for name, (dims, values) in variables.items()},
             coords=coords,
@@ -126,9 +143,9 @@ def _outcomes(scenario: Scenario, out: Outcome) -> Variables:
     taken = sum(table[f"energy_{name}"] for name in (
         "contact", "brake", "dynamic", "track_brake", "resistance", "gradient",
     ))  # fmt: skip
-    start = table["energy_kinetic_initial"]
-    residual = start - table["energy_kinetic_final"] - taken
-    found["energy_balance"] = (("run",), residual / np.maximum(start, 1.0))
+    given = table["energy_kinetic_initial"] + table["energy_traction"]
+    residual = given - table["energy_kinetic_final"] - taken
+    found["energy_balance"] = (("run",), residual / np.maximum(given, 1.0))
     axle = dict(zip(AXLE_OUTCOMES, np.moveaxis(out.axle, 2, 0), strict=True))
     found |= {name: (("run", "axle"), axle[name]) for name in AXLE_OUTCOMES if name in SIGNALS}
     radius = np.array([place.axle.wheel_radius for place in scenario.train.axles()])
@@ -217,7 +234,7 @@ def _magnets(scenario: Scenario, force: FloatArray) -> FloatArray:
 
 
 def _asked(plan: Plan, of_axle: dict[str, FloatArray]) -> FloatArray:
-    """Return what friction and dynamic brake would bring to the tread were the valve open."""
+    """Return what friction brake and motor would bring to the tread were the valve open."""
 
     def of(offset: int) -> FloatArray:
         column: FloatArray = plan.parameters[1:, offset - at.FIRST_PARAMETER]
@@ -226,14 +243,14 @@ def _asked(plan: Plan, of_axle: dict[str, FloatArray]) -> FloatArray:
     clamp = of(at.CLAMP_PER_PRESSURE) * of_axle["supply_pressure"] + of(at.CLAMP_OFFSET)
     force = np.maximum(clamp, 0.0) * of_axle["pad_friction"] * of(at.TREAD_PER_CLAMP)
     with np.errstate(invalid="ignore", divide="ignore"):
-        asked: FloatArray = (force + of_axle["dynamic_force"]) / of_axle["wheel_load"]
+        asked: FloatArray = (force + np.abs(of_axle["dynamic_force"])) / of_axle["wheel_load"]
     return asked
 
 
 def _utilisation(of_train: dict[str, FloatArray], of_axle: dict[str, FloatArray]) -> FloatArray:
     """Return force used over force available, summed over the distance of sliding axles."""
     way = of_train["train_speed"][:, None, :] * of_axle["wheel_load"]
-    sliding = of_axle["creepage"] < -0.01
+    sliding = np.abs(of_axle["creepage"]) > 0.01
     weight = np.where(sliding, way, 0.0)
     used = np.nansum(weight * of_axle["adhesion_used"], axis=(1, 2))
     available = np.nansum(weight * of_axle["adhesion_available"], axis=(1, 2))

@@ -70,8 +70,9 @@ def valve_pass(lanes: Any, S: Any, b: int, vent_slot: int, fill_slot: int) -> No
 
 @compiled
 def gather(
-    L: int, S: Any, measured: Any, demand: float, emergency: float, n_axles: int, k: int, slot: int
-) -> None:
+    L: int, S: Any, measured: Any, demand: float, emergency: float, drive: float, n_axles: int,
+    k: int, slot: int,
+) -> None:  # fmt: skip
     """Put what the controller of a lane sees into its table."""
     for axle in range(n_axles):
         b = (axle + to.AXLE_BLOCK) * to.N_VARS * L + k
@@ -80,6 +81,7 @@ def gather(
         measured[axle, ctl.DYNAMIC_FORCE] = S[b + to.DYNAMIC_FORCE * L]
         measured[axle, ctl.BRAKE_DEMAND] = demand
         measured[axle, ctl.EMERGENCY] = emergency
+        measured[axle, ctl.DRIVE_DEMAND] = drive
 
 
 @compiled
@@ -94,6 +96,16 @@ def driver_demand(
             demand = demand_level[i]
             emergency = demand_emergency[i]
     return demand, emergency
+
+
+@compiled
+def drive_demand(tick: int, drive_tick: Any, drive_level: Any) -> float:
+    """Return what the driver asks of the motors at a tick."""
+    demand = 0.0
+    for i in range(drive_tick.shape[0]):
+        if tick >= drive_tick[i]:
+            demand = drive_level[i]
+    return float(demand)
 
 
 @compiled
@@ -125,6 +137,18 @@ def obey(L: int, S: Any, command: Any, n_axles: int, k: int, slot: int) -> None:
         S[b + to.DYNAMIC_SHARE * L] = share
     if wrong != 0.0:
         S[to.CONTROLLER_ERROR * L + k] = 1.0
+
+
+@compiled
+def share_inverters(L: int, S: Any, inverter_of_axle: Any, k: int) -> None:
+    """Let motors on one inverter obey the smallest share commanded to any of them."""
+    own = at.DYNAMIC_SHARE * L + k
+    block = at.N_VARS * L
+    for axle in range(inverter_of_axle.shape[0]):
+        first = (1 + inverter_of_axle[axle]) * block + own
+        S[first] = min(S[first], S[(1 + axle) * block + own])
+    for axle in range(inverter_of_axle.shape[0]):
+        S[(1 + axle) * block + own] = S[(1 + inverter_of_axle[axle]) * block + own]
 
 
 @compiled

@@ -36,11 +36,13 @@ LEAST_ROLLING_SPEED = 1e-3
 """Floor of the speed that creepage is formed with, m/s: at a stand every creepage is small."""
 LEAST_CREEPAGE = 1e-7
 """Floor of the creepage, so that the chord T/s is defined; far below any that matters."""
-LIMIT_FADE = 10.0
-"""How the friction limit fades out with the rolling speed, s/m.
+CREEPING_SPEED = 0.5
+"""Rolling speed at which the contact may pass the friction limit by as much again, m/s.
 
-At a stand the contact is a spring that only the limit bounds. A rolling wheel is bounded by the
-law itself; a limit that now and then cut its chord off would spoil the order of the integration.
+At a stand the contact is a spring that only the limit bounds, and a wheel that spins up at the
+start outruns its chord. A rolling wheel is bounded by the law itself; a limit that now and then
+cut its chord off would spoil the order of the integration. So the limit fades, with the fourth
+power.
 """
 STANDING_SPEED = 0.05
 """Below this rolling speed the contact turns into the elastic spring that it is at a stand, m/s."""
@@ -100,7 +102,9 @@ def _keep_contact(
 ) -> None:
     S[b + at.CHORD * L + k] = chord + _standing(S[b + at.SLOPE * L + k], rolling)
     S[b + at.ROLLING * L + k] = rolling
-    S[b + at.FRICTION_LIMIT * L + k] = limit * (1.0 + LIMIT_FADE * rolling)
+    faded = rolling * (1.0 / CREEPING_SPEED)
+    faded = faded * faded
+    S[b + at.FRICTION_LIMIT * L + k] = limit * (1.0 + faded * faded)
 
 
 @inlined

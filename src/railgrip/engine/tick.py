@@ -46,6 +46,7 @@ def begin_train(lanes: Any, S: Any, h: float) -> None:
         S[at.HERE_FILM * L + k] = _power_0_8(middle)
         S[at.HERE_DYNAMIC * L + k] = S[at.DYNAMIC_ALLOWED * L + k]
         S[at.HERE_POSITION * L + k] = S[at.POSITION * L + k]
+        S[at.HERE_DRIVE * L + k] = S[at.DRIVE_DEMAND * L + k]
         asked = S[at.FIRST_DEMAND * L + k]
         S[at.HERE_PER_DEMAND * L + k] = 1.0 / asked if asked > 0.0 else 0.0
         S[at.SPEED_BEFORE_TICK * L + k] = speed
@@ -145,7 +146,9 @@ def _account_energy(lanes: Any, S: Any, b: int, h: float) -> None:
         S[b + at.PENDING_ENERGY * L + k] += given
         S[b + at.SLID_ENERGY * L + k] += given
         S[b + at.BRAKE_ENERGY * L + k] += S[b + at.BRAKE_IMPULSE * L + k] * wheel_mean
-        S[b + at.DYNAMIC_ENERGY * L + k] += h * S[b + at.DYNAMIC_ACTING * L + k] * wheel_mean
+        motor = h * S[b + at.DYNAMIC_ACTING * L + k]
+        S[b + at.DYNAMIC_ENERGY * L + k] += max(motor, 0.0) * wheel_mean
+        S[b + at.TRACTION_ENERGY * L + k] -= min(motor, 0.0) * wheel_mean
 
 
 @inlined
@@ -171,6 +174,10 @@ def _account_slide(lanes: Any, S: Any, b: int, h: float) -> None:
         slip = slip if train_speed > LEAST_SLIP_SPEED else 0.0
         S[b + at.GREATEST_SLIP * L + k] = max(S[b + at.GREATEST_SLIP * L + k], slip)
         S[b + at.SLIDE_TIME * L + k] += h if slip > SLIDING else 0.0
+        spin = (wheel_speed - train_speed) / max(wheel_speed, LEAST_SLIP_SPEED)
+        spin = spin if wheel_speed > LEAST_SLIP_SPEED else 0.0
+        S[b + at.GREATEST_SPIN * L + k] = max(S[b + at.GREATEST_SPIN * L + k], spin)
+        S[b + at.SPIN_TIME * L + k] += h if spin > SLIDING else 0.0
         S[b + at.GREATEST_TEMPERATURE * L + k] = max(
             S[b + at.GREATEST_TEMPERATURE * L + k], S[b + at.RING_TEMPERATURE * L + k]
         )
@@ -183,7 +190,7 @@ def _account_build_up(lanes: Any, S: Any, b: int, h: float) -> None:
     for k in range(L):
         offered = (
             S[b + at.SUPPLY_PRESSURE * L + k] * S[b + at.PER_FULL_PRESSURE * L + k]
-            + S[b + at.DYNAMIC_FORCE * L + k] * S[b + at.PER_FULL_FORCE * L + k]
+            + max(S[b + at.DYNAMIC_FORCE * L + k], 0.0) * S[b + at.PER_FULL_FORCE * L + k]
         )
         per_demand = S[b + at.HERE_PER_DEMAND * L + k]
         share = min(offered * per_demand, 1.0)

@@ -27,7 +27,7 @@ class EnergyRow(NamedTuple):
     energy : float
         J.
     share : float
-        Of the initial kinetic energy, 0…1.
+        Of the initial kinetic energy and the work of traction, 0…1.
     """
 
     name: str
@@ -37,7 +37,7 @@ class EnergyRow(NamedTuple):
 
 
 def energy_table(result: Any, run: int = 0) -> list[EnergyRow]:
-    """Return where the initial kinetic energy went, term by term.
+    """Return where the initial kinetic energy and the work of traction went, term by term.
 
     Parameters
     ----------
@@ -63,6 +63,8 @@ def energy_table(result: Any, run: int = 0) -> list[EnergyRow]:
     """
     view = View(dataset_of(result), run)
     initial = view.number("energy_kinetic_initial")
+    traction = view.number("energy_traction") if view.has("energy_traction") else 0.0
+    initial += traction
     if initial != initial or initial <= 0:
         return []
     rows = []

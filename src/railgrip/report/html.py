@@ -12,7 +12,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from railgrip.core.status import RunStatus
+from railgrip.core.status import ENDED_WELL
 from railgrip.report import tables
 from railgrip.report.energy import energy_table
 from railgrip.report.limits import check_limits
@@ -115,7 +115,7 @@ def report_html(
 
 def _heading(view: View) -> dict[str, str]:
     ended = view.number("status")
-    well = ended in (RunStatus.STOPPED, RunStatus.ARRIVED)
+    well = ended in ENDED_WELL
     start = view.start if view.has("train_position") else 0.0
     return {
         "status": escape(status_sentence(view.dataset, view.run)),

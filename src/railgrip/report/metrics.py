@@ -46,6 +46,8 @@ class Source(NamedTuple):
 
 SOURCES: dict[str, Source] = {
     "initial_speed": Source("Initial speed", "initial_speed"),
+    "covered_distance": Source("Distance covered", "covered_distance"),
+    "final_speed": Source("Speed at the end", "final_speed"),
     "stopping_distance": Source("Stopping distance", "stopping_distance"),
     "deceleration_distance": Source("Deceleration distance", "deceleration_distance"),
     "stopping_time": Source("Stopping time", "stopping_time"),
@@ -55,6 +57,8 @@ SOURCES: dict[str, Source] = {
     "slide_activity": Source("Slide activity", "slide_activity"),
     "greatest_slip": Source("Greatest slip", "axle_greatest_slip", "greatest"),
     "slide_time": Source("Longest time sliding", "axle_slide_time", "greatest"),
+    "greatest_spin": Source("Greatest spin", "axle_greatest_spin", "greatest"),
+    "spin_time": Source("Longest time spinning", "axle_spin_time", "greatest"),
     "locked_time": Source("Longest lock", "axle_longest_lock", "greatest"),
     "locked_time_total": Source("Locked in all, worst axle", "axle_locked_time", "greatest"),
     "slid_distance": Source("Slid distance, worst axle", "axle_slid_distance", "greatest"),
@@ -72,6 +76,8 @@ SOURCES: dict[str, Source] = {
 AXLE_COLUMNS: dict[str, str] = {
     "axle_greatest_slip": "Greatest slip",
     "axle_slide_time": "Sliding",
+    "axle_greatest_spin": "Greatest spin",
+    "axle_spin_time": "Spinning",
     "axle_locked_time": "Locked",
     "axle_longest_lock": "Longest lock",
     "axle_slid_distance": "Slid distance",

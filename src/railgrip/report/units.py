@@ -44,6 +44,8 @@ _BY_NAME = {
     "adhesion_utilisation": _PER_CENT,
     "slide_activity": _PER_CENT,
     "axle_greatest_slip": _PER_CENT,
+    "axle_greatest_spin": _PER_CENT,
+    "drive_demand": _PER_CENT,
     "creepage": _PER_CENT,
     "cleaning": _PER_CENT,
     "brake_demand": _PER_CENT,

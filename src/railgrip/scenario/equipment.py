@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from pydantic import Field, model_validator
 
 from railgrip.core.errors import Problem
@@ -102,7 +104,12 @@ class Resistance(Model):
 
 
 class Traction(Model):
-    """Tractive effort of the whole train."""
+    """Tractive effort of the whole train, in equal parts on its motored axles."""
 
     force: Force = Field(gt=0, le=5e6, description="Greatest tractive effort.")
     power: Power = Field(gt=0, le=100e6, description="Greatest power at the wheel.")
+    build_up: Time = Field(default=2.0, gt=0, le=30, description="From nothing to full effort.")
+    inverter: Literal["axle", "bogie", "vehicle"] = Field(
+        default="axle",
+        description="Motors that one inverter feeds: they are reduced together.",
+    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Annotated, Any, NamedTuple
 
@@ -20,10 +21,15 @@ _LEVELS = {"none": 0.0, "service": 1.0, "emergency": 1.0}
 _ALLOWED = "'none', 'service', 'emergency' or a number from 0 to 1"
 
 
-class DemandPoint(Model):
-    """What the driver asks for from a time on."""
+class Point(Model):
+    """Something that holds from a time on."""
 
     at: Time = Field(default=0.0, ge=0, le=1e5, description="Time since the run began.")
+
+
+class DemandPoint(Point):
+    """What the driver asks for from a time on."""
+
     level: Dimensionless = Field(
         ge=0,
         le=1,
@@ -58,6 +64,12 @@ def _unknown_level(word: str) -> PydanticCustomError:
     )
 
 
+class DrivePoint(Point):
+    """What the driver asks of the motors from a time on."""
+
+    level: Dimensionless = Field(ge=0, le=1, description="Share of the full tractive effort.")
+
+
 def _as_points(value: Any) -> Any:
     # 'emergency', 0.5 and a whole list are three ways to say it.
     if isinstance(value, (str, int, float)) and not isinstance(value, bool):
@@ -82,6 +94,11 @@ Demand = Annotated[
 ]
 
 
+Drive = Annotated[
+    tuple[DrivePoint, ...], Field(max_length=10_000), BeforeValidator(_as_points), _ShortForm()
+]
+
+
 def _trace_for(data: dict[str, Any]) -> float:
     step = data.get("step", 0.01)
     return float(step * max(1, math.ceil(0.02 / step - 1e-9)))
@@ -94,6 +111,17 @@ class Run(Model):
     demand: Demand = Field(
         default=(DemandPoint(level=1.0, emergency=True),),
         description=f"{_ALLOWED}, or a list of {{at, level}}.",
+    )
+    drive: Drive = Field(
+        default=(),
+        description="A share of the full tractive effort, or a list of {at, level}. Brake and "
+        "motors may act together: that is how a train starts on a gradient.",
+    )
+    duration: Time | None = Field(
+        default=None,
+        gt=0,
+        le=7200,
+        description="Go on for so long, whatever the train does; absent: until it stands.",
     )
     step: Time = Field(default=0.01, ge=0.001, le=0.02, description="Of the computation.")
     trace: Time = Field(
@@ -126,17 +154,21 @@ class Run(Model):
                     got=f"{self.trace:g} s, step {self.step:g} s",
                 )
             )
-        problems.extend(
-            Problem(
-                f"demand[{i + 1}].at",
-                "must be later than the entry before it",
-                got=f"{b.at:g} s after {a.at:g} s",
-            )
-            for i, (a, b) in enumerate(pairwise(self.demand))
-            if b.at <= a.at
-        )
+        problems += [*_not_later("demand", self.demand), *_not_later("drive", self.drive)]
         refuse(problems)
         return self
+
+
+def _not_later(name: str, points: Sequence[Point]) -> list[Problem]:
+    return [
+        Problem(
+            f"{name}[{i + 1}].at",
+            "must be later than the entry before it",
+            got=f"{b.at:g} s after {a.at:g} s",
+        )
+        for i, (a, b) in enumerate(pairwise(points))
+        if b.at <= a.at
+    ]
 
 
 def _as_number(value: Any) -> Any:

@@ -103,7 +103,11 @@ class Scenario(Model):
             scenario = handler(value)
         except ValidationError as error:
             raise RailgripError(problems_of(error, cls)) from None
-        problems = [*scenario._patches_on_line(), *scenario._limits_fit_speed()]
+        problems = [
+            *scenario._patches_on_line(),
+            *scenario._limits_fit_speed(),
+            *scenario._can_drive(),
+        ]
         if problems:
             raise RailgripError(problems)
         return scenario
@@ -133,6 +137,12 @@ class Scenario(Model):
                 allowed=f"at least {self.run.speed**2 / (2 * most):.4g} m",
             )
         ]
+
+    def _can_drive(self) -> list[Problem]:
+        if self.train.traction is not None or not any(p.level > 0 for p in self.run.drive):
+            return []
+        what = "asks for tractive effort, and the train has none"
+        return [Problem("run.drive", what, cure="a train with [traction], e.g. 'emu_four_car'")]
 
     def __str__(self) -> str:
         return describe(self)

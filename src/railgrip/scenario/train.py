@@ -96,6 +96,8 @@ class Train(Model):
         problems = []
         if self.dynamic_brake is not None and not any(axle.motor for axle in axles):
             problems.append(Problem("dynamic_brake", "needs an axle with motor = true"))
+        if self.traction is not None and not any(axle.motor for axle in axles):
+            problems.append(Problem("traction", "needs an axle with motor = true"))
         if self.sander is not None and not any(axle.sander for axle in axles):
             problems.append(Problem("sander", "needs an axle with sander = true"))
         if self.sander is None and any(axle.sander for axle in axles):

@@ -10,6 +10,7 @@ from railgrip.control.no_protection import NoProtection
 def test_columns_are_a_complete_numbering():
     measured = {
         ctl.WHEEL_SPEED, ctl.CYLINDER_PRESSURE, ctl.DYNAMIC_FORCE, ctl.BRAKE_DEMAND, ctl.EMERGENCY,
+        ctl.DRIVE_DEMAND,
     }  # fmt: skip
     command = {
         ctl.DUMP_VALVE, ctl.DYNAMIC_SHARE, ctl.SANDING, ctl.REFERENCE_SPEED, ctl.IS_SLIDING,
@@ -25,8 +26,10 @@ def test_setup_and_measured_reach_their_columns():
         2, 0.01, np.array([0.46, 0.45]), np.array([True, False]), np.array([False, True])
     )
     assert ctl.setup_array(setup).tolist() == [[0.46, 1.0, 0.0], [0.45, 0.0, 1.0]]
-    measured = ctl.Measured(np.array([20.0, 19.0]), np.array([1e5, 2e5]), np.zeros(2), 0.5, 1.0)
-    assert ctl.measured_array(measured)[1].tolist() == [19.0, 2e5, 0.0, 0.5, 1.0]
+    measured = ctl.Measured(
+        np.array([20.0, 19.0]), np.array([1e5, 2e5]), np.zeros(2), 0.5, 1.0, 0.7
+    )
+    assert ctl.measured_array(measured)[1].tolist() == [19.0, 2e5, 0.0, 0.5, 1.0, 0.7]
 
 
 def test_command_from_array_is_a_copy():
