@@ -103,7 +103,7 @@ def s1002_contact(
     A rail head of 0.3 m has a solution from y = −1.23 mm towards the field side only; towards the
     flange the hollow of the tread is rounder than the head, down to the flange itself.
     Known wrong where the radii change within the ellipse, so in most of zones B and C: from 0 to
-    8 mm, about the length of an ellipse, the radius doubles.
+    8 mm, about the width of an ellipse, the radius doubles.
 
     References
     ----------

@@ -99,7 +99,7 @@ def _leaning(across: float, depth: float, lean: float) -> tuple[float, float]:
 
 
 def _rise(lean: float) -> float:
-    """How far the highest point, where the upright head slopes by the lean, lies above the middle."""
+    """Height of the highest point, where the upright head slopes by the lean, over the middle."""
     highest = next(arc for arc in _arcs() if arc.begin <= lean <= arc.end)
     return highest.radius - _leaning(highest.across, highest.depth, lean)[1]
 
