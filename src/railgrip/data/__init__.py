@@ -1,4 +1,4 @@
-"""The shipped trains, lines, rail conditions, pads, discs and scenarios, found by name.
+"""The shipped trains, lines, rail conditions, contact pairs, pads, discs and scenarios, by name.
 
 This package holds files, not numbers in code. It only says which names exist and where their
 files lie, so that nothing else has to know the folders.
@@ -11,7 +11,7 @@ from pathlib import Path
 
 from railgrip.core.errors import RailgripError, unknown_name
 
-KINDS = ("trains", "lines", "rail_conditions", "pads", "discs", "scenarios")
+KINDS = ("trains", "lines", "rail_conditions", "contact_pairs", "pads", "discs", "scenarios")
 """The kinds of shipped data; each is a folder of this package."""
 
 
@@ -21,7 +21,7 @@ def names(kind: str) -> list[str]:
     Parameters
     ----------
     kind : str
-        One of ``trains``, ``lines``, ``rail_conditions``, ``pads``, ``discs``, ``scenarios``.
+        One of `KINDS`.
 
     Returns
     -------
@@ -49,7 +49,7 @@ def path(kind: str, name: str) -> Path:
     Parameters
     ----------
     kind : str
-        One of ``trains``, ``lines``, ``rail_conditions``, ``pads``, ``discs``, ``scenarios``.
+        One of `KINDS`.
     name : str
         A name from :func:`names`.
 

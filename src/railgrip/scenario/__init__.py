@@ -2,6 +2,7 @@
 
 from railgrip.scenario.bogie import Axle, Bogie
 from railgrip.scenario.brakes import BrakeControl, Disc, DumpValve, FrictionBrake, Reservoir
+from railgrip.scenario.contact_pair import ContactPair
 from railgrip.scenario.equipment import (
     DynamicBrake,
     Resistance,
@@ -26,6 +27,7 @@ __all__ = [
     "BogiePlace",
     "BrakeControl",
     "ConstantPad",
+    "ContactPair",
     "Curve",
     "DemandPoint",
     "Disc",

@@ -18,6 +18,7 @@ FOLDERS = {
     "pad": "pads",
     "disc": "discs",
     "rail_condition": "rail_conditions",
+    "contact_pair": "contact_pairs",
     "scenario": "scenarios",
 }
 """Kind of description → its folder in the shipped data."""
@@ -31,7 +32,8 @@ def names(kind: str) -> list[str]:
     Parameters
     ----------
     kind : str
-        ``train``, ``line``, ``pad``, ``disc``, ``rail_condition`` or ``scenario``.
+        ``train``, ``line``, ``pad``, ``disc``, ``rail_condition``, ``contact_pair`` or
+        ``scenario``.
 
     Raises
     ------

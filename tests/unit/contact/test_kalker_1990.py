@@ -30,10 +30,20 @@ def test_no_jump_at_the_circle(poisson: float) -> None:
 
 @given(POISSON)
 def test_the_asymptotes_take_over_within_their_error(poisson: float) -> None:
-    for a, b in ((0.1, 1.0), (1.0, 0.1)):
-        table = kalker_coefficients(a, b, poisson)
-        outside = kalker_coefficients(min(a, 0.0999 / b), min(b, 0.0999 / a), poisson)
-        assert outside == pytest.approx(table, rel=0.07)
+    """The steps at g = 0.1 that the docstring owns up to."""
+    for table, outside, steps in (
+        ((0.1, 1.0), (0.1 - 1e-12, 1.0), (0.018, 0.025, 0.063, 0.055)),
+        ((1.0, 0.1), (1.0, 0.1 - 1e-12), (0.044, 0.031, 0.010, 0.067)),
+    ):
+        last, first = kalker_coefficients(*table, poisson), kalker_coefficients(*outside, poisson)
+        for within, beyond, step in zip(last, first, steps, strict=True):
+            assert beyond == pytest.approx(within, rel=step)
+
+
+def test_the_asymptotes_without_poisson_effect_are_those_of_a_strip() -> None:
+    """C11 = C22 = π²/4 for a/b → 0: a strip in plane strain, both directions alike."""
+    found = kalker_coefficients(1e-6, 1.0, 0.0)
+    assert found.c11 == found.c22 == pytest.approx(math.pi**2 / 4.0)
 
 
 @given(st.floats(0.01, 100.0), POISSON, st.floats(1e-4, 1e2))

@@ -16,6 +16,7 @@ SHIPPED = {
     "trains": "train",
     "lines": "line",
     "rail-conditions": "rail_condition",
+    "contact-pairs": "contact_pair",
     "pads": "pad",
     "discs": "disc",
 }
