@@ -17,6 +17,7 @@ from railgrip.control.rotation_monitoring import rotation_monitoring
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
 from railgrip.engine import offsets as to
+from railgrip.engine.faults import break_sensors, break_valves, seize_axles
 from railgrip.engine.offsets import width
 from railgrip.engine.rail import enter_cells, heat_rail, lay_sand, line_forces
 from railgrip.engine.records import finish_run, record
@@ -70,15 +71,22 @@ def step_single(S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> 
 @inlined
 def _advance(lanes: Any, S: Any, plan: Any, custom: Any, step: Any, moment: int) -> None:
     timing, way = plan.timing, plan.way
+    has_faults = plan.faults.axle.shape[0] > 0
     vent = to.VALVE_HISTORY + to.as_offset((moment - timing.vent_delay) & WRAP)
     fill = to.VALVE_HISTORY + to.as_offset((moment - timing.fill_delay) & WRAP)
     for axle in range(plan.n_axles):
         b = (axle + to.AXLE_BLOCK) * to.N_VARS * width(lanes)
         valve_pass(lanes, S, b, vent, fill)
+        if has_faults:
+            for k in range(len(lanes)):
+                break_valves(len(lanes), S, plan.faults, timing, moment, axle, k)
         prepare_axle(
             lanes, S, b, plan.formation.brakes[axle], timing.demand_tick, timing.demand_level,
             way.origin, 1.0 / way.cell_length, timing.tick,
         )  # fmt: skip
+    if has_faults:
+        for k in range(len(lanes)):
+            seize_axles(len(lanes), S, plan.faults, k)
     step(S, plan.n_axles, plan.creep_law, custom, timing.tick)
     account(lanes, S, plan.n_axles, timing.tick)
 
@@ -108,6 +116,9 @@ def _sense(lanes: Any, S: Any, plan: Any, moment: int) -> None:
             lanes, S, b, timing.tick, timing.sensor_teeth, 1.0 / timing.sensor_timer,
             float(timing.control_every), slot,
         )  # fmt: skip
+    if plan.faults.axle.shape[0] > 0:
+        for k in range(len(lanes)):
+            break_sensors(len(lanes), S, plan.faults, moment, plan.way.seed, k)
 
 
 @entry

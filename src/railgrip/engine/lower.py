@@ -12,7 +12,8 @@ from railgrip.control.rotation_monitoring import RotationMonitoring
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine import layout as at
 from railgrip.engine.lower_train import ENDLESS, lower_train
-from railgrip.engine.plan import FloatArray, Formation, IntArray, Plan, Timing, Way
+from railgrip.engine.plan import Faults, FloatArray, Formation, IntArray, Plan, Timing, Way
+from railgrip.scenario.fault import FAULT_KINDS
 from railgrip.scenario.line import Line
 from railgrip.scenario.rail import FrictionState, RailCondition
 from railgrip.scenario.run import DrivePoint
@@ -61,6 +62,7 @@ def lower(scenario: Scenario, control_period: float, parameters: FloatArray) -> 
         way=_way(scenario),
         timing=_timing(scenario, control_period),
         formation=_formation(scenario, brakes),
+        faults=_faults(scenario),
         n_axles=np.uint64(scenario.train.n_axles),
         creep_law=LAWS.get(scenario.run.creep_law, at.LAW_CUSTOM),
         parameters=table,
@@ -154,6 +156,30 @@ def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
         has_sander=int(train.sander is not None),
         has_shared_inverter=int(train.traction is not None and train.traction.inverter != "axle"),
         axle_setup=setup,
+    )
+
+
+def _faults(scenario: Scenario) -> Faults:
+    step = scenario.run.step
+    labels = [place.label for place in scenario.train.axles()]
+    rows = [
+        (axle, i, fault)
+        for i, fault in enumerate(scenario.fault)
+        for axle in (range(len(labels)) if fault.axle == "all" else [labels.index(fault.axle)])
+    ]
+    found = [fault for _, _, fault in rows]
+    ends = [NEVER if math.isinf(fault.end) else round(fault.end / step) for fault in found]
+    delays = [
+        _ticks(scenario, f"fault[{i}].delay", fault.value) if fault.kind == "valve_delayed" else 0
+        for _, i, fault in rows
+    ]
+    return Faults(
+        axle=np.array([axle for axle, _, _ in rows], dtype=np.int64),
+        kind=np.array([FAULT_KINDS.index(fault.kind) for fault in found], dtype=np.int64),
+        begin=np.array([round(fault.begin / step) for fault in found], dtype=np.int64),
+        end=np.array(ends, dtype=np.int64),
+        value=np.array([fault.value for fault in found], dtype=np.float64),
+        ticks=np.array(delays, dtype=np.int64),
     )
 
 

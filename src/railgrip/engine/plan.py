@@ -104,12 +104,36 @@ class Formation(NamedTuple):
     axle_setup: FloatArray
 
 
+class Faults(NamedTuple):
+    """What breaks: one row a fault and axle.
+
+    Attributes
+    ----------
+    axle, kind : int array
+        Axle from the front; number of the kind (see engine.faults).
+    begin, end : int array
+        Ticks between which it acts.
+    value : float array
+        Noise, factor or delay.
+    ticks : int array
+        The delay in ticks.
+    """
+
+    axle: IntArray
+    kind: IntArray
+    begin: IntArray
+    end: IntArray
+    value: FloatArray
+    ticks: IntArray
+
+
 class Plan(NamedTuple):
     """All of it, for the kernel."""
 
     way: Way
     timing: Timing
     formation: Formation
+    faults: Faults
     n_axles: np.uint64
     creep_law: int
     parameters: FloatArray

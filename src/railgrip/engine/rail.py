@@ -78,7 +78,8 @@ def read_cell(
     slot = (cell & (energy.shape[0] // L - 1)) * L + k
     row = of_cell[min(max(cell, 0), of_cell.shape[0] - 1)]
     rate = conditions[row, 2 * at.N_FRICTION]
-    left = _left(energy[slot], rate) if rate > 0.0 else 1.0
+    # a wheel that locks within a step may give a trace of energy back
+    left = _left(max(energy[slot], 0.0), rate) if rate > 0.0 else 1.0
     for i in range(at.N_FRICTION):
         contaminated = conditions[row, i]
         clean = conditions[row, at.N_FRICTION + i]

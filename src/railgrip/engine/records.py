@@ -73,7 +73,9 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
     train[5] = S[at.TRACK_BRAKE_FORCE * L + k]
     train[6] = drive_demand(tick, timing.drive_tick, timing.drive_level)
     for axle in range(n_axles):
-        _record_axle(L, S, memory.command[k, axle], out.trace_axle[run, row, axle], plan, axle, k)
+        line = out.trace_axle[run, row, axle]
+        _record_axle(L, S, memory.command[k, axle], line, plan, axle, k)
+        line[1] = memory.measured[k, axle, ctl.WHEEL_SPEED]
     n_vehicles = out.trace_vehicle.shape[2]
     for vehicle in range(n_vehicles):
         out.trace_vehicle[run, row, vehicle] = memory.reservoirs[vehicle * L + k]
@@ -83,7 +85,6 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
 def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k: int) -> None:
     b = (1 + axle) * at.N_VARS * L + k
     row[0] = S[b + at.WHEEL_SPEED * L]
-    row[1] = S[b + at.MEASURED_SPEED * L]
     row[2] = S[b + at.CONTACT_FORCE * L]
     row[3] = (
         S[b + at.STATIC_LOAD * L] + S[b + at.LOAD_TRANSFER * L] * S[at.PITCH_DECELERATION * L + k]

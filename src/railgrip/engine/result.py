@@ -122,6 +122,7 @@ class Result:
                 "seed": scenario.run.seed,
                 "creep_law": scenario.run.creep_law,
                 "controller": scenario.wsp.controller,
+                "faults": "\n".join(map(str, scenario.fault)),
                 "wsp_parameters": json.dumps(wsp_parameters),
             },
         )

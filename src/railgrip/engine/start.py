@@ -104,5 +104,9 @@ def _begin_control(L: int, S: Any, memory: Any, n_axles: int, k: int) -> None:
     for axle in range(n_axles):
         for i in range(ctl.N_COMMAND):
             memory.command[k, axle, i] = 0.0
+        for i in range(ctl.N_MEASURED):
+            memory.measured[k, axle, i] = 0.0
+        measured = S[((1 + axle) * at.N_VARS + at.MEASURED_SPEED) * L + k]
+        memory.measured[k, axle, ctl.WHEEL_SPEED] = measured
         memory.command[k, axle, ctl.DYNAMIC_SHARE] = 1.0
         memory.command[k, axle, ctl.REFERENCE_SPEED] = S[at.TRAIN_SPEED * L + k]

@@ -24,6 +24,7 @@ def describe(scenario: Scenario) -> str:
         "run": _run(scenario),
         "wsp": scenario.wsp.controller,
     }
+    parts |= {f"fault {i + 1}": str(fault) for i, fault in enumerate(scenario.fault)}
     title = [scenario.title] if scenario.title else []
     return "\n".join(title + [f"{word:6} {text}" for word, text in parts.items()])
 
@@ -59,4 +60,5 @@ def _run(scenario: Scenario) -> str:
     ]
     if len(words) > 4:
         words = [*words[:3], f"and {len(words) - 3} more"]
-    return ", ".join([f"from {scenario.run.speed * 3.6:.4g} km/h", *words])
+    drive = [f"drive {point.level:g} at {point.at:g} s" for point in scenario.run.drive[:4]]
+    return ", ".join([f"from {scenario.run.speed * 3.6:.4g} km/h", *words, *drive])

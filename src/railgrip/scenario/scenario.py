@@ -9,11 +9,12 @@ from pydantic.functional_validators import ModelWrapValidatorHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
-from railgrip.core.errors import Problem, RailgripError
+from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.scenario import library
 from railgrip.scenario.base import Model, Text, refuse
 from railgrip.scenario.describe import describe
 from railgrip.scenario.explain import problems_of
+from railgrip.scenario.fault import Fault
 from railgrip.scenario.limits import Limits
 from railgrip.scenario.line import Route
 from railgrip.scenario.merge import with_path
@@ -92,6 +93,9 @@ class Scenario(Model):
     rail: Rail = Field(default=Rail(), description="The rail's condition.")
     run: Run = Field(default=Run(), description="Speed, demand, step.")
     wsp: Wsp = Field(default=Wsp(), description="Wheel-slide protection.")
+    fault: Annotated[tuple[Fault, ...], Field(max_length=1000)] = Field(
+        default=(), description="What breaks during the run."
+    )
     limits: Limits = Field(default=Limits(), description="What the run must keep.")
 
     @model_validator(mode="wrap")
@@ -107,6 +111,7 @@ class Scenario(Model):
             *scenario._patches_on_line(),
             *scenario._limits_fit_speed(),
             *scenario._can_drive(),
+            *scenario._faults_have_axles(),
         ]
         if problems:
             raise RailgripError(problems)
@@ -143,6 +148,17 @@ class Scenario(Model):
             return []
         what = "asks for tractive effort, and the train has none"
         return [Problem("run.drive", what, cure="a train with [traction], e.g. 'emu_four_car'")]
+
+    def _faults_have_axles(self) -> list[Problem]:
+        axles = {place.label: place.axle for place in self.train.axles()}
+        problems = []
+        for i, fault in enumerate(self.fault):
+            where = f"fault[{i}]"
+            if fault.axle != "all" and fault.axle not in axles:
+                problems.append(unknown_name(f"{where}.axle", "axle", fault.axle, [*axles, "all"]))
+            elif fault.kind.startswith("valve") and self.train.dump_valve is None:
+                problems.append(Problem(f"{where}.kind", "the train has no dump valves"))
+        return problems
 
     def __str__(self) -> str:
         return describe(self)
