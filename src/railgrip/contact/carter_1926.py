@@ -4,6 +4,7 @@ import math
 
 from railgrip.contact.falling_friction import falling_friction
 from railgrip.contact.rail_friction import RailFriction
+from railgrip.contact.resultant import slip_speed_of
 from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact
 from railgrip.contact.validity import valid_within
 
@@ -77,7 +78,7 @@ def carter_rolling(
     speed : float
         Speed of the train, > 0 [m/s].
     creepage : Creepage
-        Of it only the longitudinal one is used, for the slip speed too.
+        Of it only the longitudinal one gives a force; the friction falls with both.
 
     Returns
     -------
@@ -107,5 +108,5 @@ def carter_rolling(
     """
     slope = contact.shear_modulus * contact.a * contact.b * contact.c11
     along = abs(creepage.longitudinal)
-    force = carter_1926(rail, contact.load, slope, speed * along, along)
+    force = carter_1926(rail, contact.load, slope, slip_speed_of(speed, creepage), along)
     return CreepForce(math.copysign(force, creepage.longitudinal), 0.0, 0.0)

@@ -96,7 +96,8 @@ def freibauer_rolling(
     -----
     With F_lin = √(F_x² + F_y²) of `kalker_linear`, all three are multiplied by F/F_lin, where
     F = (2/π) μQ [arctan ε + ε/(1 + ε²)], ε = (π/4) F_lin/(μQ).
-    Known wrong when spin turns the slip within the patch.
+    Known wrong when spin turns the slip within the patch, and in the moment where the forces by
+    spin and by lateral creepage cancel.
 
     References
     ----------

@@ -110,9 +110,10 @@ def polach_rolling(
     F_yS is quoted from memory; the paper was not at hand. Checked of it: for small pure spin it is
     exactly G (ab)^(3/2) C23 φ, whatever K; for large ε_S it vanishes, as it must; in between, pure
     spin on the base case stays within 8 % of μQ of `fastsim_1982` up to a `spin_share` of 2.5,
-    and spin combined with creepages within 15 %. With it the resultant still never passed μQ.
+    and spin combined with creepages within 15 %.
     Even where all is small, longitudinal creepage weakens the force by spin, by |s_yC|/s_c: a
-    property of the formula. k_A and k_S do not reduce F_yS.
+    property of the formula. k_A and k_S do not reduce F_yS; where, for that reason, lateral
+    creepage against spin would give a resultant above μQ, it is cut to μQ.
     Known wrong beyond: F_yS dies out too soon, at 5 it is 0.12 μQ and FASTSIM's 0.35 μQ. And in
     the work done: without a spin moment, creepage against a large spin may give power.
 
@@ -135,7 +136,7 @@ def polach_rolling(
     (35940.38, 0.0)
     """
     slip_speed = slip_speed_of(speed, creepage)
-    limit = max(contact.load * falling_friction(rail, slip_speed), _LEAST_FORCE)
+    limit = contact.load * falling_friction(rail, slip_speed)
     with_spin = creepage.lateral + creepage.spin * contact.a
     across = max(abs(creepage.lateral), abs(with_spin))
     total = max(resultant(creepage.longitudinal, across), _LEAST_CREEPAGE)
@@ -144,7 +145,10 @@ def polach_rolling(
     slope = contact.shear_modulus * contact.a * contact.b * pull / straight
     chord = polach_2005(rail, contact.load, slope, slip_speed, total) / total
     by_spin = limit * _spin_share(contact, limit, across) * contact.a * creepage.spin / total
-    return CreepForce(chord * creepage.longitudinal, chord * creepage.lateral + by_spin, 0.0)
+    force_x = chord * creepage.longitudinal
+    force_y = chord * creepage.lateral + by_spin
+    share = min(1.0, limit / max(resultant(force_x, force_y), _LEAST_FORCE))
+    return CreepForce(share * force_x, share * force_y, 0.0)
 
 
 def _spin_share(contact: RollingContact, limit: float, across: float) -> float:
@@ -152,7 +156,7 @@ def _spin_share(contact: RollingContact, limit: float, across: float) -> float:
     width = 1.0 + 6.3 * (1.0 - exp_decay(contact.a / contact.b))
     root = math.sqrt(contact.a * contact.b)
     stress = 8.0 / 3.0 * contact.shear_modulus * contact.c23 * contact.b * root * across
-    stress = stress / (width * limit)
+    stress = stress / (width * max(limit, _LEAST_FORCE))
     square = stress * stress
     delta = (square - 1.0) / (square + 1.0)
     rest = 4.0 * square / ((square + 1.0) * (square + 1.0))

@@ -91,7 +91,8 @@ def shen_hedrick_elkins_rolling(
     are multiplied by (f − f²/3 + f³/27)/f for f ≤ 3, else by 1/f. The original is about forces.
     For the spin moment conventions differ: left linear, left out, or, as here, reduced by the same
     factor as the forces, as if Kalker's coefficients were; that alone keeps the law passive.
-    Known wrong when the spin is large (flange contact).
+    Known wrong when the spin is large (flange contact), and in the moment where its
+    force and that of lateral creepage cancel.
 
     References
     ----------
