@@ -62,6 +62,23 @@ def softening(
     return reduction.initial * (reduction.final_share + falling)
 
 
+def softened(
+    contact: RollingContact, limit: float, creepage: Creepage, reduction: SlopeReduction
+) -> Flexibilities:
+    """Kalker's flexibilities, each divided by `softening`.
+
+    Examples
+    --------
+    >>> wheel = RollingContact(100e3, 7e-3, 5e-3, 82e9, 0.28, 4.5, 4.1, 1.8, 1.0)
+    >>> still = softened(wheel, 30e3, Creepage(0.0, 0.0, 0.0), EUROSPRINTER_2013)
+    >>> round(flexibilities(wheel).spin / still.spin, 6)
+    0.54
+    """
+    softer = 1.0 / softening(contact, limit, creepage, reduction)
+    stiff = flexibilities(contact)
+    return Flexibilities(softer * stiff.longitudinal, softer * stiff.lateral, softer * stiff.spin)
+
+
 def modified_fastsim(
     contact: RollingContact,
     rail: RailFriction,
@@ -93,11 +110,7 @@ def modified_fastsim(
     14.52
     """
     limit = friction_force(contact, rail, speed, creepage)
-    stiffer = 1.0 / softening(contact, limit, creepage, reduction)
-    stiff = flexibilities(contact)
-    flexible = Flexibilities(
-        stiffer * stiff.longitudinal, stiffer * stiff.lateral, stiffer * stiff.spin
-    )
+    flexible = softened(contact, limit, creepage, reduction)
     return fastsim_on_grid(contact, limit, flexible, creepage, CELLS, False)
 
 

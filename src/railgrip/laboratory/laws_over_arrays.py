@@ -12,11 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from railgrip.compiler import entry, numba, with_compiled_callees
+from railgrip.contact.kalker_linear import kalker_linear
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact
 from railgrip.contact.validity import is_within, validity_of
 from railgrip.core import registry
 from railgrip.core.errors import Problem, RailgripError
+from railgrip.laboratory.fastsim_strips import ABREAST, work_space
 from railgrip.laboratory.inputs import (
     FloatArray,
     as_floats,
@@ -122,7 +124,7 @@ def creep_forces(
     ]
     force_x, force_y, moment = np.empty((3, flat[0].size))
     forces = CreepForces(force_x, force_y, moment, np.empty(flat[0].size, dtype=np.bool_))
-    _kernel(function)(contact, rail, validity_of(function), *flat, *forces)
+    _kernel(function)(contact, rail, validity_of(function), *flat, *forces, work_space())
     return CreepForces(
         forces.longitudinal.reshape(shape),
         forces.lateral.reshape(shape),
@@ -146,17 +148,25 @@ def rescaled(contact: RollingContact, load: float) -> RollingContact:
     return contact._replace(load=load, a=growth * contact.a, b=growth * contact.b)
 
 
-def _law(
-    contact: RollingContact, rail: RailFriction, speed: float, creepage: Creepage
+_law: RollingLaw = kalker_linear
+"""Law of the call below; `_kernel` makes a copy of the call for each law."""
+
+
+def _alone(
+    contact: RollingContact, rail: RailFriction, speed: float, creepage: Creepage, work: Any
 ) -> CreepForce:
-    """Stand for the law in `_over_points`; `_kernel` puts a law in its place."""
-    raise NotImplementedError
+    """Call a law that needs no work space."""
+    return _law(contact, rail, speed, creepage)
+
+
+_law_with_work = _alone
+"""Law of the loop below; `_kernel` makes a copy of the loop for each law."""
 
 
 def _over_points(
     contact: Any, rail: Any, validity: Any, speed: Any, load: Any,
     longitudinal: Any, lateral: Any, spin: Any, growth: Any,
-    force_x: Any, force_y: Any, moment: Any, is_valid: Any,
+    force_x: Any, force_y: Any, moment: Any, is_valid: Any, work: Any,
 ) -> None:  # fmt: skip
     for i in range(speed.size):
         here = RollingContact(
@@ -165,7 +175,7 @@ def _over_points(
             contact.c11, contact.c22, contact.c23, contact.c33,
         )  # fmt: skip
         creepage = Creepage(longitudinal[i], lateral[i], spin[i])
-        force = _law(here, rail, speed[i], creepage)
+        force = _law_with_work(here, rail, speed[i], creepage, work)
         force_x[i], force_y[i], moment[i] = (
             force.longitudinal, force.lateral, force.spin_moment,
         )  # fmt: skip
@@ -184,13 +194,19 @@ def _kernel(law: RollingLaw) -> Any:
                 cure="give its name, or a function of contact, rail, speed and creepage",
             )
         )
-    scope = {**globals(), "_law": law}
-    kernel = FunctionType(_over_points.__code__, scope, _over_points.__name__)
-    kernel.__module__ = __name__
-    kernel.__qualname__ = f"over_points_of_{law.__module__}_{law.__name__}".replace(".", "_")
+    name = f"{law.__module__}_{law.__name__}".replace(".", "_")
+    with_work = ABREAST.get(law) or _rebound(_alone, f"call_{name}", _law=law)
+    kernel = _rebound(_over_points, f"over_points_of_{name}", _law_with_work=with_work)
     if law.__module__.startswith("railgrip."):
         return entry(kernel)
     return numba.njit(with_compiled_callees(kernel), error_model="numpy", nogil=True)
+
+
+def _rebound(template: Any, name: str, **names: Any) -> FunctionType:
+    """Return the template under another name, with some of its global names standing for others."""
+    bound = FunctionType(template.__code__, {**globals(), **names}, name)
+    bound.__module__, bound.__qualname__ = __name__, name
+    return bound
 
 
 def _growth(ratio: FloatArray) -> FloatArray:
