@@ -1,7 +1,11 @@
 """Creep force of one wheel (Freibauer 1983), the formula that Polach's model grew out of."""
 
 from railgrip.contact.falling_friction import falling_friction
+from railgrip.contact.kalker_linear import kalker_linear
 from railgrip.contact.rail_friction import RailFriction
+from railgrip.contact.resultant import scaled, size_of, slip_speed_of
+from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact
+from railgrip.contact.validity import valid_within
 from railgrip.core.formulas.elementary import arctangent
 
 _QUARTER_PI = 0.7853981633974483
@@ -60,3 +64,59 @@ def freibauer_1983(
     stress = _QUARTER_PI * slope * creepage / max(limit, _LEAST_FORCE)
     angle = arctangent(stress)
     return _TWO_OVER_PI * limit * (stress / (1.0 + stress * stress) + angle)
+
+
+@valid_within(spin_share=0.5)
+def freibauer_rolling(
+    contact: RollingContact, rail: RailFriction, speed: float, creepage: Creepage
+) -> CreepForce:
+    """Creep forces for combined creepages and spin: linear theory, scaled to Freibauer's curve.
+
+    Choose it as `freibauer_1983`. Čáp sums the creepages to one; here the forces of Kalker's linear
+    theory are summed to one instead, which is the same along the track and keeps Kalker's slope
+    across it. The spin moment is scaled as the forces are.
+
+    Parameters
+    ----------
+    contact : RollingContact
+        The contact.
+    rail : RailFriction
+        State of the rail; k_A and k_S are not used.
+    speed : float
+        Speed of the train, > 0 [m/s].
+    creepage : Creepage
+        Longitudinal and lateral creepage and spin.
+
+    Returns
+    -------
+    CreepForce
+        Forces [N] with the sign of the creepages, spin moment [N m].
+
+    Notes
+    -----
+    With F_lin = √(F_x² + F_y²) of `kalker_linear`, all three are multiplied by F/F_lin, where
+    F = (2/π) μQ [arctan ε + ε/(1 + ε²)], ε = (π/4) F_lin/(μQ).
+    Known wrong when spin turns the slip within the patch, and in the moment where the forces by
+    spin and by lateral creepage cancel.
+
+    References
+    ----------
+    .. [1] J. Čáp, Teoretický rozbor tečných a interaktivních sil ve styku kolo kolejnice (2000),
+       eqs 2.2–2.9.
+
+    Checked by tests/reference/creep_base_case, 1e-6, and tests/laws/test_rolling_laws.py.
+
+    Examples
+    --------
+    >>> import math
+    >>> from railgrip.contact.rolling_contact import rolling_contact
+    >>> base = rolling_contact(100e3, 0.46, math.inf, 0.3, 210e9, 0.28)
+    >>> rail = RailFriction(0.3, 1.0, 0.0, 1.0, 1.0)
+    >>> force = freibauer_rolling(base, rail, 20.0, Creepage(0.001, 0.0, 0.0))
+    >>> round(force.longitudinal / 30e3, 6)
+    0.442801
+    """
+    linear = kalker_linear(contact, rail, speed, creepage)
+    size = size_of(linear)
+    slip_speed = slip_speed_of(speed, creepage)
+    return scaled(linear, freibauer_1983(rail, contact.load, size, slip_speed, 1.0) / size)
