@@ -21,8 +21,8 @@ from railgrip.track.random_field import standard_normal
 NOISE_STREAM = 100
 """Stream of random numbers of the first axle's noise; one stream an axle."""
 SEIZED = 1.0
-"""Dry friction of an axle that seizes, over its static load: more than any rail gives, and so little
-that the wheel takes a few tenths of a second to stand (illustrative)."""
+"""Dry friction of an axle that seizes, over its static load: more than any rail gives, and little
+enough that the wheel takes a few tenths of a second to stand (illustrative)."""
 WRAP = at.MAX_DELAY - 1
 
 _normal = inlined(standard_normal)
