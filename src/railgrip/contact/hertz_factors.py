@@ -86,8 +86,9 @@ def hertz_factors(curvature_along: float, curvature_across: float) -> HertzFacto
     semi-axis = (ξ or η) · cbrt(3 Q (1 − ν²)/(E' (K_x + K_y))) (1.6),
     cos ϑ = |K_x − K_y|/(K_x + K_y).
     The longer semi-axis lies along the track where K_x < K_y. The paper reads ξ and η off a graph;
-    here they come from the elliptic integrals. Its ϑ = arccos |(r1x − r2y)/(r1x + r2y)| (1.7a) and
-    its rule "along the track if r1x > r2y" hold for a cone on a straight rail only.
+    here they come from the elliptic integrals. Its ϑ, the arccosine of the magnitude of
+    (r1x − r2y)/(r1x + r2y) (1.7a), and its rule "along the track if r1x > r2y" hold for a cone on a
+    straight rail only.
 
     References
     ----------

@@ -99,6 +99,13 @@ _CATALOGUE = (
         "Force of the motor at the tread: dynamic brake positive, traction negative.",
     ),
     Signal("disc_temperature", "T_1", "degC", _AXLE, "Friction ring (or tread) temperature."),
+    Signal(
+        "flash_temperature",
+        "dT",
+        "K",
+        _AXLE,
+        "Greatest rise of the surfaces of wheel and rail in the contact, over where they enter it.",
+    ),
     Signal("hub_temperature", "T_2", "degC", _AXLE, "Temperature of the disc's hub."),
     Signal(
         "rail_friction",
@@ -200,6 +207,14 @@ _CATALOGUE = (
     Signal("axle_slid_energy", "E_s", "J", _PER_AXLE, "Friction work in the contact."),
     Signal("axle_locked_time", "t_l", "s", _PER_AXLE, "Time below 5 % of train speed."),
     Signal("axle_longest_lock", "", "s", _PER_AXLE, "Longest single time of locking."),
+    Signal(
+        "axle_longest_fast_lock",
+        "",
+        "s",
+        _PER_AXLE,
+        "Longest single time of locking above 30 km/h train speed.",
+    ),
+    Signal("axle_greatest_flash", "", "K", _PER_AXLE, "Greatest flash temperature rise."),
     Signal("axle_greatest_slip", "", "1", _PER_AXLE, "Greatest slip above 3 m/s train speed."),
     Signal("axle_slide_time", "", "s", _PER_AXLE, "Time with a creepage beyond 5 %."),
     Signal(

@@ -10,6 +10,7 @@ from railgrip.brake import filling, orifice
 from railgrip.contact.kalker_1990 import kalker_slope
 from railgrip.core.constants import GRAVITY
 from railgrip.core.errors import Problem, RailgripError
+from railgrip.core.formulas.flash_temperature import STEEL_ERTZ_2002, flash_conductance
 from railgrip.core.formulas.patch import hertz_1882
 from railgrip.core.formulas.piecewise_linear import hinges_from_points
 from railgrip.engine import layout as at
@@ -50,7 +51,7 @@ def lower_train(scenario: Scenario) -> tuple[FloatArray, FloatArray]:
     for i in range(scenario.train.n_axles):
         values, brakes[i] = _axle_values(scenario, i)
         values |= {"STATIC_LOAD": loads[i], "LOAD_TRANSFER": gains[i]}
-        values |= _contact_values(scenario, i, loads[i])
+        values |= _contact_values(scenario, i, loads[i], gains[i])
         _fill(table[1 + i], at.AXLE_PARAMETERS, values)
     return table, brakes
 
@@ -124,14 +125,21 @@ def _transfers(scenario: Scenario) -> list[list[float]]:
     return transfers
 
 
-def _contact_values(scenario: Scenario, i: int, load: float) -> dict[str, float]:
+def _contact_values(scenario: Scenario, i: int, load: float, gain: float) -> dict[str, float]:
     axle = scenario.train.axles()[i].axle
     tread = axle.tread_radius_transverse
     across = float("inf") if tread is None else tread
     geometry = (load / 2, axle.wheel_radius, across, RAIL_HEAD_RADIUS, YOUNG, POISSON)
+    patch = hertz_1882(*geometry)
+    # a patch grows with the load^(1/3), so what moving steel takes up grows with its root
+    still = flash_conductance(STEEL_ERTZ_2002, patch.a, patch.b, 0.0) ** 2
+    moving = flash_conductance(STEEL_ERTZ_2002, patch.a, patch.b, 1.0) ** 2 - still
     return {
         "KALKER_SLOPE": 2 * kalker_slope(*geometry),
-        "RELAXATION_LENGTH": 8 * hertz_1882(*geometry).a / (3 * np.pi),
+        "RELAXATION_LENGTH": 8 * patch.a / (3 * np.pi),
+        "FLASH_STILL": still,
+        "FLASH_MOVING": moving,
+        "FLASH_TRANSFER": moving * gain / load,
     }
 
 

@@ -25,6 +25,7 @@ AXLE_OUTCOMES = (
     "axle_slid_distance", "axle_slid_energy", "axle_locked_time", "axle_longest_lock",
     "axle_greatest_slip", "axle_slide_time", "axle_greatest_disc_temperature",
     "axle_locked_slide", "axle_valve_cycles", "axle_greatest_spin", "axle_spin_time",
+    "axle_greatest_flash", "axle_longest_fast_lock",
 )  # fmt: skip
 """Columns of Outcome.axle."""
 TRAIN_TRACES = (
@@ -37,6 +38,7 @@ AXLE_TRACES = (
     "friction_ratio", "friction_decay", "adhesion_reduction", "slip_reduction", "cleaning",
     "brake_cylinder_pressure", "supply_pressure", "dump_valve", "clamp_force", "pad_friction",
     "brake_force", "dynamic_force", "disc_temperature", "hub_temperature", "is_sliding", "alarm",
+    "flash_temperature",
 )  # fmt: skip
 """Columns of Outcome.trace_axle."""
 
@@ -104,6 +106,7 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
     row[18] = S[b + at.HUB_TEMPERATURE * L]
     row[19] = command[ctl.IS_SLIDING]
     row[20] = S[b + at.ALARM * L]
+    row[21] = S[b + at.FLASH_RISE * L]
 
 
 @compiled
@@ -153,6 +156,8 @@ def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status
         line[8] = S[b + at.VALVE_CYCLES * L]
         line[9] = S[b + at.GREATEST_SPIN * L]
         line[10] = S[b + at.SPIN_TIME * L]
+        line[11] = S[b + at.GREATEST_FLASH * L]
+        line[12] = S[b + at.LONGEST_FAST_LOCK * L]
     row[4] = build_up / max(full, 1e-9)
     row[8] = contact
     row[9] = brake

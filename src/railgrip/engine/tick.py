@@ -6,6 +6,7 @@ speeds of the tick, force impulse × speed is exactly the work that each term to
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from railgrip.brake.track_brake import TrackBrake, track_brake_force
@@ -25,6 +26,8 @@ LOCKED = 0.05
 """Share of the train speed below which a wheel counts as locked."""
 ROLLING = 0.3
 """Train speed below which no wheel counts as locked, m/s."""
+LOCK_SPEED = 30.0 / 3.6
+"""Locks above this train speed are counted for themselves, m/s."""
 LEAST_SLIP_SPEED = 3.0
 """Train speed below which no greatest slip is recorded, m/s."""
 ACTIVITY_SPEED = 60.0 / 3.6
@@ -118,6 +121,7 @@ def account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
         _account_energy(lanes, S, b, h)
+        _account_flash(lanes, S, b, h)
         heat_pass(lanes, S, b, h)
         _account_slide(lanes, S, b, h)
         _account_build_up(lanes, S, b, h)
@@ -152,6 +156,27 @@ def _account_energy(lanes: Any, S: Any, b: int, h: float) -> None:
 
 
 @inlined
+def _account_flash(lanes: Any, S: Any, b: int, h: float) -> None:
+    """Note how hot the contact gets: both wheels share the work of their axle."""
+    L = width(lanes)
+    front = b - at.N_VARS * L
+    half_per_tick = 0.5 / h
+    for k in range(L):
+        mean = S[front + at.HERE_MEAN * L + k]
+        wheel_mean = 0.5 * (S[b + at.SPEED_BEFORE * L + k] + S[b + at.WHEEL_SPEED * L + k])
+        power = abs(S[b + at.CONTACT_IMPULSE * L + k] * (wheel_mean - mean)) * half_per_tick
+        still = S[b + at.FLASH_STILL * L + k]
+        pitch = S[b + at.HERE_PITCH * L + k]
+        moving = S[b + at.FLASH_MOVING * L + k] + S[b + at.FLASH_TRANSFER * L + k] * pitch
+        moving = max(moving, 0.0)
+        wheel = math.sqrt(still + moving * abs(wheel_mean))
+        rail = math.sqrt(still + moving * abs(mean))
+        rise = power / (wheel + rail)
+        S[b + at.FLASH_RISE * L + k] = rise
+        S[b + at.GREATEST_FLASH * L + k] = max(S[b + at.GREATEST_FLASH * L + k], rise)
+
+
+@inlined
 def _account_slide(lanes: Any, S: Any, b: int, h: float) -> None:
     L = width(lanes)
     front = b - at.N_VARS * L
@@ -166,6 +191,9 @@ def _account_slide(lanes: Any, S: Any, b: int, h: float) -> None:
         S[b + at.LOCK_NOW * L + k] = lock_now
         S[b + at.LOCKED_TIME * L + k] += h if is_locked else 0.0
         S[b + at.LONGEST_LOCK * L + k] = max(S[b + at.LONGEST_LOCK * L + k], lock_now)
+        fast_lock = lock_now if train_speed > LOCK_SPEED else 0.0
+        longest = S[b + at.LONGEST_FAST_LOCK * L + k]
+        S[b + at.LONGEST_FAST_LOCK * L + k] = max(longest, fast_lock)
         ground = S[b + at.CONTACT_IMPULSE * L + k] * (wheel_speed - train_speed)
         S[b + at.LOCKED_SLIDE * L + k] += ground if is_locked else 0.0
         per_speed = S[front + at.HERE_PER_SPEED * L + k]

@@ -60,10 +60,14 @@ SOURCES: dict[str, Source] = {
     "greatest_spin": Source("Greatest spin", "axle_greatest_spin", "greatest"),
     "spin_time": Source("Longest time spinning", "axle_spin_time", "greatest"),
     "locked_time": Source("Longest lock", "axle_longest_lock", "greatest"),
+    "fast_lock": Source("Longest lock above 30 km/h", "axle_longest_fast_lock", "greatest"),
     "locked_time_total": Source("Locked in all, worst axle", "axle_locked_time", "greatest"),
     "slid_distance": Source("Slid distance, worst axle", "axle_slid_distance", "greatest"),
     "slid_energy": Source("Slid energy, worst axle", "axle_slid_energy", "greatest"),
     "flat_length": Source("Wheel flat, estimate", "axle_flat_length", "greatest"),
+    "flash_temperature": Source(
+        "Greatest flash temperature rise", "axle_greatest_flash", "greatest"
+    ),
     "disc_temperature": Source(
         "Greatest disc temperature", "axle_greatest_disc_temperature", "greatest"
     ),
@@ -83,6 +87,7 @@ AXLE_COLUMNS: dict[str, str] = {
     "axle_slid_distance": "Slid distance",
     "axle_slid_energy": "Slid energy",
     "axle_flat_length": "Flat (estimate)",
+    "axle_greatest_flash": "Flash rise",
     "axle_greatest_disc_temperature": "Disc",
     "axle_valve_cycles": "Valve cycles",
 }

@@ -37,6 +37,7 @@ _BY_UNIT = {
     "kg/m": Shown("g/m", 1e3, 1),
     "m^3": Shown("Nl", 1e3, 0),
     "degC": Shown("°C", 1.0, 0),
+    "K": Shown("K", 1.0, 0),
     "1": Shown("", 1.0, 3),
 }
 _PER_CENT = Shown("%", 100.0, 1)

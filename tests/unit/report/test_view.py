@@ -108,6 +108,7 @@ def test_every_signal_has_a_way_to_be_shown(name):
         "g/m",
         "Nl",
         "°C",
+        "K",
         "%",
         "mm",
     )
