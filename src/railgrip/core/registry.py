@@ -18,6 +18,7 @@ from railgrip.core.errors import Problem, RailgripError, unknown_name
 
 GROUPS = {
     "railgrip.controllers": "controller",
+    "railgrip.friction_laws": "friction law",
     "railgrip.laws": "law",
     "railgrip.readers": "reader",
     "railgrip.rolling_laws": "law of rolling contact",
