@@ -12,6 +12,8 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
+import numpy as np
+
 from railgrip.core.status import ENDED_WELL
 from railgrip.report import tables
 from railgrip.report.energy import energy_table
@@ -29,6 +31,8 @@ CHARTS = {
     "valve": ("Dump valves", "dump_valve"),
     "adhesion": ("Adhesion used and available, force over wheel load", "adhesion_used"),
     "deceleration": ("Deceleration of the train, m/s²", "acceleration"),
+    "motor": ("Motor force at the tread, dynamic brake positive, kN", "dynamic_force"),
+    "flash": ("Flash temperature: rise in the contact, K", "flash_temperature"),
     "temperature": ("Brake disc (or tread) temperature, °C", "disc_temperature"),
     "reservoir": ("Reservoir pressure, bar", "reservoir_pressure"),
     "rail": ("Rail friction along the line, before and after the train", "rail_friction_after"),
@@ -144,8 +148,8 @@ def _limits(view: View, given: Mapping[str, float] | None) -> Mapping[str, float
 
 def _drawn(view: View, name: str) -> bool:
     signal = CHARTS[name][1]
-    if name == "sand":
-        return view.has(signal) and bool((view.get(signal) > 0).any())
+    if name in ("sand", "motor"):
+        return view.has(signal) and bool(np.any(view.get(signal)))
     return view.has("train_speed") and view.has(signal)
 
 

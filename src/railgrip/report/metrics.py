@@ -77,6 +77,12 @@ SOURCES: dict[str, Source] = {
 }
 """Every metric by its name, in the order of the report."""
 
+OF_A_STOP = {
+    "stopping_distance", "deceleration_distance", "stopping_time", "build_up_time",
+    "mean_deceleration", "slide_activity",
+}  # fmt: skip
+"""What a run that drives and does not stop has not."""
+
 AXLE_COLUMNS: dict[str, str] = {
     "axle_greatest_slip": "Greatest slip",
     "axle_slide_time": "Sliding",
@@ -135,9 +141,10 @@ def metrics(result: Any, run: int = 0) -> list[Metric]:
     '1007.0 m'
     """
     view = View(dataset_of(result), run)
+    drives_on = view.has("covered_distance") and not view.has("stopping_distance")
     found = []
     for name, source in SOURCES.items():
-        if source.variable not in view.dataset:
+        if source.variable not in view.dataset or (drives_on and name in OF_A_STOP):
             continue
         value, axle = si_value(view, name)
         how = shown(source.variable)

@@ -19,12 +19,14 @@ AXLE = (
     "adhesion_used",
     "adhesion_available",
     "adhesion_asked",
+    "dynamic_force",
+    "flash_temperature",
     "disc_temperature",
     "dump_valve",
 )
 RAIL = ("rail_friction_before", "rail_friction_after", "rail_energy", "rail_sand")
 GHOST_TRAIN = ("train_speed", "reference_speed", "acceleration")
-GHOST_AXLE = ("wheel_speed", "brake_cylinder_pressure")
+GHOST_AXLE = ("wheel_speed", "brake_cylinder_pressure", "flash_temperature")
 MISSING = 65535
 GHOST_POINTS = 1500
 

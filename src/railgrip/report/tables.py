@@ -12,14 +12,18 @@ from railgrip.report.metrics import SOURCES, AxleTable, Metric
 from railgrip.report.units import shown
 
 CARDS = (
+    "covered_distance",
+    "final_speed",
     "stopping_distance",
     "deceleration_distance",
     "stopping_time",
     "mean_deceleration",
     "adhesion_utilisation",
     "greatest_slip",
+    "greatest_spin",
     "locked_time",
     "flat_length",
+    "flash_temperature",
     "disc_temperature",
     "air_used",
 )

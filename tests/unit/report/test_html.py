@@ -103,7 +103,7 @@ def test_accessible(text, page):
     assert all(attrs.get("scope") in ("col", "row") for attrs in page.of("th"))
     assert len(page.of("caption")) == len(page.of("table")) - 1  # one is filled by the cursor
     charts = [attrs for attrs in page.of("div") if attrs.get("class") == "chart"]
-    assert len(charts) == len(CHARTS) - 1  # no sand
+    assert len(charts) == len(CHARTS) - 2  # no sand, no motor
     assert all(attrs["role"] == "img" and attrs["aria-label"] for attrs in charts)
     assert 'name="viewport"' in text
 

@@ -18,6 +18,7 @@ from railgrip.report.plots.adhesion import adhesion
 from railgrip.report.plots.air import air
 from railgrip.report.plots.deceleration import deceleration
 from railgrip.report.plots.energy import energy
+from railgrip.report.plots.flash import flash
 from railgrip.report.plots.hero import hero
 from railgrip.report.plots.pressure import pressure
 from railgrip.report.plots.rail import rail
@@ -43,6 +44,7 @@ _PICTURES: dict[str, tuple[tuple[str, ...], Callable[[View], Figure]]] = {
         ("rail_friction_before", "rail_friction_after", "rail_energy", "train_position"),
         rail,
     ),
+    "flash": (("flash_temperature",), flash),
     "temperature": (("disc_temperature",), temperature),
     "deceleration": (("acceleration",), deceleration),
     "energy": (("energy_kinetic_initial",), energy),
@@ -68,7 +70,7 @@ def figures(
     -------
     dict of matplotlib.figure.Figure
         By name: ``speeds_time``, ``speeds_distance``, ``slip``, ``pressure``, ``adhesion``,
-        ``rail``, ``temperature``, ``deceleration``, ``energy``, ``air``.
+        ``rail``, ``flash``, ``temperature``, ``deceleration``, ``energy``, ``air``.
     """
     view = View(dataset_of(result), run, most=POINTS)
     drawn: dict[str, Figure] = {}

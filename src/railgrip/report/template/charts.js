@@ -7,6 +7,8 @@ const CHARTS = [
   { id: "valve", valves: true },
   { id: "adhesion", unit: "", decimals: 3, axle: "adhesion_used", under: "adhesion_available", dotted: "adhesion_asked", floor: 0, height: 260 },
   { id: "deceleration", unit: "m/s²", decimals: 2, train: { deceleration: "train" }, height: 190 },
+  { id: "motor", unit: "kN", decimals: 1, axle: "dynamic_force", height: 200 },
+  { id: "flash", unit: "K", decimals: 0, axle: "flash_temperature", floor: 0, height: 200 },
   { id: "temperature", unit: "°C", decimals: 0, axle: "disc_temperature", height: 220 },
   { id: "reservoir", unit: "bar", decimals: 2, vehicle: "reservoir_pressure", height: 190 },
   { id: "rail", unit: "", decimals: 3, rail: { rail_friction_before: "before", rail_friction_after: "after the train" }, floor: 0, height: 200 },
