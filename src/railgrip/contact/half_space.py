@@ -25,9 +25,7 @@ class Influence(NamedTuple):
     zz: float
 
 
-def rectangle_influence(
-    x: float, y: float, dx: float, dy: float, poisson: float
-) -> Influence:
+def rectangle_influence(x: float, y: float, dx: float, dy: float, poisson: float) -> Influence:
     """Displacement difference at (x, y) by unit loads on the rectangle dx × dy around the origin.
 
     Choose it to build the influence matrix of a grid. Both bodies are of the same material, so

@@ -53,10 +53,10 @@ def solve_with_friction(
     friction = np.full(case.pressure.shape, case.rail.static_friction)
     if not falls(case.rail):
         return solve_tangential(problem, friction * case.pressure, start, tolerance), friction, 0
-    steps, enough = 0, max(tolerance, 1e-7) * case.rail.static_friction
-    for rounds in range(1, _ROUNDS + 1):
+    steps, enough = [], max(tolerance, 1e-7) * case.rail.static_friction
+    for _ in range(_ROUNDS):
         answer = solve_tangential(problem, friction * case.pressure, start, tolerance)
-        steps += answer.steps
+        steps.append(answer.steps)
         start = answer.traction
         slip_speed = case.slip_to_speed * np.hypot(*answer.slip) * answer.is_slipping
         wanted = remembered_friction(case.rail, case.memory, slip_speed, case.dt, case.before)
@@ -65,5 +65,5 @@ def solve_with_friction(
             break
         friction = friction + _PART * change
     settled = bool(np.abs(change).max() <= enough)
-    answer = answer._replace(steps=steps, is_converged=answer.is_converged and settled)
-    return answer, friction, rounds
+    answer = answer._replace(steps=sum(steps), is_converged=answer.is_converged and settled)
+    return answer, friction, len(steps)

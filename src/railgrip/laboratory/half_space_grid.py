@@ -33,9 +33,7 @@ def influence(rows: int, columns: int, dx: float, dy: float, poisson: float) -> 
     return table
 
 
-def _fill_plain(
-    table: Any, rows: int, columns: int, dx: float, dy: float, poisson: float
-) -> None:
+def _fill_plain(table: Any, rows: int, columns: int, dx: float, dy: float, poisson: float) -> None:
     for i in range(2 * rows + 1):
         for j in range(2 * columns + 1):
             push = rectangle_influence((j - columns) * dx, (i - rows) * dy, dx, dy, poisson)

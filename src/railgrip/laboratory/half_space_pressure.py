@@ -5,14 +5,15 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from scipy.sparse.linalg import LinearOperator, cg
 from scipy.special import elliprd
 
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.laboratory.half_space_grid import convolve, smooth, smoothing, spectrum
+from railgrip.laboratory.krylov import gmres
 
 _TOLERANCE = 1e-11
 _ROUNDS = 60
+_KRYLOV = 120
 
 
 def hertz_pressure(x: Any, y: Any, width: float, push: Any) -> Any:
@@ -71,23 +72,10 @@ def hertz_pressure(x: Any, y: Any, width: float, push: Any) -> Any:
 
 def _solve(kernel: Any, inverse: Any, inside: Any, wanted: Any) -> Any:
     """Return the pressure inside that moves the surface there as wanted."""
-    field = np.zeros(inside.shape)
-
-    def product(values: Any) -> Any:
-        field[inside] = values
-        return convolve(kernel, field)[inside]
-
-    def inverted(values: Any) -> Any:
-        field[inside] = values
-        return smooth(inverse, field)[inside]
-
-    count = int(inside.sum())
-    values, _ = cg(
-        LinearOperator((count, count), product),
-        wanted[inside],
-        rtol=_TOLERANCE,
-        M=LinearOperator((count, count), inverted),
+    return gmres(
+        lambda pressure: convolve(kernel, pressure) * inside,
+        lambda moved: smooth(inverse, moved) * inside,
+        wanted * inside,
+        _TOLERANCE,
+        _KRYLOV,
     )
-    pressure = np.zeros(inside.shape)
-    pressure[inside] = values
-    return pressure
