@@ -28,7 +28,7 @@ contacts = st.builds(
     st.sampled_from([-1.0, -0.5, -0.1, 0.0, 0.3, 1.0]),
     st.sampled_from([0.0, 0.28, 0.5]),
 )
-shares = st.one_of(st.just(0.0), st.floats(-1.0, 1.0))
+shares = st.floats(-1.0, 1.0).map(lambda share: share if abs(share) > 1e-6 else 0.0)
 creepages = st.builds(
     lambda size, x, y, spin: Creepage(10.0**size * x, 10.0**size * y, 10.0**size * spin / A),
     st.floats(-6.0, 0.0),

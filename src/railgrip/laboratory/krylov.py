@@ -84,9 +84,12 @@ def gmres(
 
 
 def length(field: Any) -> float:
-    """Return the Euclidean norm of an array of any shape."""
-    flat = field.ravel()
-    return math.sqrt(float(np.einsum("i,i->", flat, flat)))
+    """Return the Euclidean norm of an array of any shape, of numbers of any size."""
+    top = float(np.abs(field).max())
+    if not 0.0 < top < math.inf:
+        return top
+    flat = field.ravel() / top
+    return top * math.sqrt(float(np.einsum("i,i->", flat, flat)))
 
 
 def _orthogonal(basis: Any, image: Any) -> tuple[list[float], Any]:
