@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact
-from railgrip.laboratory.exact import SPIN_SHIFT, ExactSolution, solve_exact
+from railgrip.laboratory.exact import ExactSolution, solve_exact
 from railgrip.laboratory.exact_friction import FrictionMemory, steady_friction
+from railgrip.laboratory.exact_solution import SPIN_SHIFT
 
 COULOMB = RailFriction(0.3, 1.0, 0.0, 1.0, 1.0)
 FALLING = RailFriction(0.5, 0.4, 0.8, 1.0, 1.0)

@@ -2,77 +2,26 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
-from typing import Any
-
 import numpy as np
 
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.laboratory.exact_checks import falls, refuse_bad_input
+from railgrip.laboratory.exact_checks import refuse_bad_input
 from railgrip.laboratory.exact_friction import FrictionMemory, refuse_bad_memory
 from railgrip.laboratory.exact_newton import TangentialProblem
-from railgrip.laboratory.exact_step import FrictionCase, solve_with_friction
-from railgrip.laboratory.half_space_patch import MARGIN, HalfSpacePatch, half_space_patch
+from railgrip.laboratory.exact_solution import (
+    ExactSolution,
+    free_slip,
+    friction_case,
+    solution_of,
+)
+from railgrip.laboratory.exact_step import solve_with_friction
+from railgrip.laboratory.half_space_patch import MARGIN, half_space_patch
 
-SPIN_SHIFT = 1.0 / 6.0
-"""How many cells ahead of its centre the spin of a cell is taken; as CONTACT does."""
+__all__ = ["ExactSolution", "exact_law", "refine_exact", "solve_exact"]
+
 _TOLERANCE = 1e-7
-
-
-@dataclass(frozen=True, eq=False)
-class ExactSolution:
-    """Forces, and what happens in each cell of the patch.
-
-    Parameters
-    ----------
-    force : CreepForce
-        What the rail does to the wheel [N, N, N m].
-    is_converged : bool
-        Whether the equations hold to the tolerance; if not, nothing here may be relied on.
-    residual : float
-        What is left of them, over the size of the traction [-].
-    newton_steps, friction_rounds : int
-        Newton steps in all, and how often a falling friction was renewed.
-    x, y : ndarray (along), (across)
-        Centres of the cells, rolling towards +x [m].
-    cell_area : float
-        Area of a cell [m²].
-    is_inside, is_slipping : ndarray (across, along)
-        Cells in contact; those of them that slip.
-    pressure : ndarray (across, along)
-        Normal pressure [Pa].
-    traction_x, traction_y : ndarray (across, along)
-        Tangential stress on the wheel, with the sign of `force` [Pa].
-    slip_x, slip_y : ndarray (across, along)
-        Slip of the wheel's surface on the rail over the speed, with the sign of the creepage [-].
-    friction : ndarray (across, along)
-        Friction coefficient [-].
-    """
-
-    force: CreepForce
-    is_converged: bool
-    residual: float
-    newton_steps: int
-    friction_rounds: int
-    x: Any
-    y: Any
-    cell_area: float
-    is_inside: Any
-    is_slipping: Any
-    pressure: Any
-    traction_x: Any
-    traction_y: Any
-    slip_x: Any
-    slip_y: Any
-    friction: Any
-
-    @property
-    def is_sticking(self) -> Any:
-        """Cells in contact that do not slip."""
-        return self.is_inside & ~self.is_slipping
 
 
 def solve_exact(
@@ -146,6 +95,7 @@ def solve_exact(
 
     Examples
     --------
+    >>> import math
     >>> from railgrip.contact.rolling_contact import rolling_contact
     >>> base = rolling_contact(100e3, 0.46, math.inf, 0.3, 210e9, 0.28)
     >>> constant = RailFriction(0.3, 1.0, 0.0, 1.0, 1.0)
@@ -183,6 +133,7 @@ def exact_law(
 
     Examples
     --------
+    >>> import math
     >>> from railgrip.contact.rolling_contact import rolling_contact
     >>> base = rolling_contact(100e3, 0.46, math.inf, 0.3, 210e9, 0.28)
     >>> constant = RailFriction(0.3, 1.0, 0.0, 1.0, 1.0)
@@ -224,6 +175,7 @@ def refine_exact(
 
     Examples
     --------
+    >>> import math
     >>> from railgrip.contact.rolling_contact import rolling_contact
     >>> base = rolling_contact(100e3, 0.46, math.inf, 0.3, 210e9, 0.28)
     >>> constant = RailFriction(0.3, 1.0, 0.0, 1.0, 1.0)
@@ -241,72 +193,14 @@ def refine_exact(
     return CreepForce(*(near + off for near, off in zip(fine, error, strict=True))), error
 
 
-def free_slip(patch: HalfSpacePatch, contact: RollingContact, creepage: Creepage) -> Any:
-    """Slip of rigid bodies in each cell over one step [a], (2, across, along)."""
-    spin = creepage.spin * contact.a
-    ahead = patch.x + SPIN_SHIFT * patch.dx
-    slip = np.empty((2, patch.y.size, patch.x.size))
-    slip[0] = creepage.longitudinal - spin * patch.y[:, None]
-    slip[1] = creepage.lateral + spin * ahead[None, :]
-    return slip * patch.dx * patch.is_inside
-
-
-def friction_case(
-    patch: HalfSpacePatch,
-    contact: RollingContact,
-    rail: RailFriction,
-    memory: FrictionMemory,
-    speed: float,
-    before: Any,
-) -> FrictionCase:
-    """Friction of this contact in the patch's normal size."""
-    dt = patch.dx * contact.a / speed if falls(rail) else 0.0
-    to_speed = speed / patch.dx if falls(rail) else 0.0
-    pressure = patch.pressure * strain(contact)
-    return FrictionCase(rail, memory, pressure, to_speed, dt, before)
-
-
-def solution_of(
-    patch: HalfSpacePatch, contact: RollingContact, answer: Any, friction: Any, rounds: int
-) -> ExactSolution:
-    """Put the answer into SI units and add it up."""
-    a, area = contact.a, patch.dx * patch.dy * contact.a**2
-    x, y = a * patch.x, a * patch.y
-    along, across = answer.traction * (math.pi * contact.shear_modulus)
-    slip = answer.slip / patch.dx
-    moment = float((across @ x).sum() - (y @ along).sum())
-    return ExactSolution(
-        force=CreepForce(float(along.sum()) * area, float(across.sum()) * area, moment * area),
-        is_converged=answer.is_converged,
-        residual=answer.residual,
-        newton_steps=answer.steps,
-        friction_rounds=rounds,
-        x=x,
-        y=y,
-        cell_area=area,
-        is_inside=patch.is_inside,
-        is_slipping=answer.is_slipping,
-        pressure=patch.pressure * (contact.load / a**2),
-        traction_x=along,
-        traction_y=across,
-        slip_x=slip[0],
-        slip_y=slip[1],
-        friction=friction,
-    )
-
-
-def strain(contact: RollingContact) -> float:
-    """Load over π G a²: turns the patch's pressure into tractions over π G."""
-    return contact.load / (math.pi * contact.shear_modulus * contact.a**2)
-
-
 def _certain(solution: ExactSolution) -> CreepForce:
     if not solution.is_converged:
         raise RailgripError(
             Problem(
                 "creepage",
                 "the exact solver did not converge",
-                got=f"residual {solution.residual:.1e} after {solution.newton_steps} steps",
+                got=f"residual {solution.residual:.1e} after {solution.newton_steps} steps, "
+                f"friction renewed {solution.friction_rounds} times",
                 cure="another grid, or a longer friction memory",
             )
         )

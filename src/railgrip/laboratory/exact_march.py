@@ -12,15 +12,15 @@ import numpy as np
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.laboratory.exact import (
+from railgrip.laboratory.exact_checks import refuse_bad_input
+from railgrip.laboratory.exact_friction import FrictionMemory, refuse_bad_memory
+from railgrip.laboratory.exact_newton import TangentialProblem
+from railgrip.laboratory.exact_solution import (
     ExactSolution,
     free_slip,
     friction_case,
     solution_of,
 )
-from railgrip.laboratory.exact_checks import refuse_bad_input
-from railgrip.laboratory.exact_friction import FrictionMemory, refuse_bad_memory
-from railgrip.laboratory.exact_newton import TangentialProblem
 from railgrip.laboratory.exact_step import solve_with_friction
 from railgrip.laboratory.half_space_grid import convolve
 from railgrip.laboratory.half_space_patch import MARGIN, half_space_patch
