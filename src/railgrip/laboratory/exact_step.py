@@ -11,8 +11,7 @@ from railgrip.laboratory.exact_checks import falls
 from railgrip.laboratory.exact_friction import FrictionMemory, remembered_friction
 from railgrip.laboratory.exact_newton import TangentialAnswer, TangentialProblem, solve_tangential
 
-_ROUNDS = 60
-_PART = 0.6
+_PARTS = (0.6,) * 40 + (0.2,) * 80
 
 
 class FrictionCase(NamedTuple):
@@ -48,13 +47,14 @@ def solve_with_friction(
     """Return the answer, the friction coefficients and how often friction was renewed.
 
     Friction that falls is renewed from the slip found with the friction before, part of the way
-    each time, until it changes by less than the tolerance asks; constant friction needs no round.
+    each time and a smaller part where that goes round in circles, until it changes by less than
+    the tolerance asks; constant friction needs no round.
     """
     friction = np.full(case.pressure.shape, case.rail.static_friction)
     if not falls(case.rail):
         return solve_tangential(problem, friction * case.pressure, start, tolerance), friction, 0
     steps, enough = [], max(tolerance, 1e-7) * case.rail.static_friction
-    for _ in range(_ROUNDS):
+    for part in _PARTS:
         answer = solve_tangential(problem, friction * case.pressure, start, tolerance)
         steps.append(answer.steps)
         start = answer.traction
@@ -63,7 +63,7 @@ def solve_with_friction(
         change = np.where(problem.is_inside, wanted - friction, 0.0)
         if np.abs(change).max() <= enough or not answer.is_converged:
             break
-        friction = friction + _PART * change
+        friction = friction + part * change
     settled = bool(np.abs(change).max() <= enough)
     answer = answer._replace(steps=sum(steps), is_converged=answer.is_converged and settled)
     return answer, friction, len(steps)
