@@ -111,8 +111,19 @@ def test_a_valve_stuck_open_locks_its_axle_and_no_other(sound: dict[str, np.ndar
     broken = stopped("valve_fills")
     others = np.arange(16) != AXLE
     assert broken["axle_longest_lock"][AXLE] > 10.0
-    assert lock_above_30_kmh(broken)[others].max() <= 0.4
+    assert broken["axle_longest_fast_lock"][others].max() <= 0.4
     assert broken["alarm"][AXLE].max() == 1.0
+
+
+@pytest.mark.parametrize("kind", ["sensor_frozen", "sensor_dead", "sensor_lost"])
+def test_a_sensor_that_fails_costs_the_train_little_and_the_other_axles_nothing(
+    sound: dict[str, np.ndarray], kind: str
+) -> None:
+    """One axle of sixteen is left without protection: a few per cent of the distance."""
+    broken = stopped(kind)
+    others = np.arange(16) != AXLE
+    assert broken["stopping_distance"] == pytest.approx(sound["stopping_distance"], rel=0.08)
+    assert broken["axle_longest_fast_lock"][others].max() <= 0.4
 
 
 def test_a_late_valve_vents_later() -> None:
@@ -141,18 +152,6 @@ def test_a_fault_may_heal_and_may_strike_all_axles() -> None:
     told = result["measured_speed"].values[0]
     assert (told[:, FROM + 10 : FROM + 90] == 0.0).all()
     assert (told[:, FROM + 110 : FROM + 200] > 0.0).any()
-
-
-def lock_above_30_kmh(run: dict[str, np.ndarray]) -> np.ndarray:
-    """Longest time, s, of each axle below 5 % of a train speed above 30 km/h."""
-    fast = run["train_speed"] > 30 / 3.6
-    locked = (run["wheel_speed"] < 0.05 * run["train_speed"]) & fast
-    longest = np.zeros(len(locked))
-    for axle, row in enumerate(locked):
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
-        spans = edges[1::2] - edges[::2]
-        longest[axle] = 0.01 * spans.max(initial=0)
-    return longest
 
 
 def test_what_does_not_fit_is_refused_all_at_once() -> None:

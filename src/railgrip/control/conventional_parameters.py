@@ -70,6 +70,9 @@ class ConventionalParameters(NamedTuple):
     dead_speed, dead_time, dead_reference : float
         A sensor is dead when it reads less than dead_speed [m/s] for dead_time [s] with an empty
         cylinder above the reference speed dead_reference [m/s] (illustrative).
+    frozen_time : float
+        A sensor is frozen when a braked wheel above dead_reference reads the very same speed, to
+        the last digit, for so long, [s] (illustrative).
     empty_pressure : float
         Cylinder pressure below which an axle counts as released, [Pa] (illustrative).
     sand_above, sand_after, sand_time : float
@@ -113,6 +116,7 @@ class ConventionalParameters(NamedTuple):
     dead_speed: float = 0.5
     dead_time: float = 3.0
     dead_reference: float = 10.0
+    frozen_time: float = 0.5
     empty_pressure: float = 2.0e4
     sand_above: float = 4.5
     sand_after: float = 0.5
@@ -163,6 +167,7 @@ DIAMETER_LEAST_SPEED: Final = _place("diameter_least_speed")
 DEAD_SPEED: Final = _place("dead_speed")
 DEAD_TIME: Final = _place("dead_time")
 DEAD_REFERENCE: Final = _place("dead_reference")
+FROZEN_TIME: Final = _place("frozen_time")
 EMPTY_PRESSURE: Final = _place("empty_pressure")
 SAND_ABOVE: Final = _place("sand_above")
 SAND_AFTER: Final = _place("sand_after")

@@ -38,7 +38,9 @@ SAFETY_FILL: Final = 11  # 1 after the safety timer ran out, until the wheel is 
 HANDED_OVER: Final = 12  # 1 while the dynamic brake is handed over to the friction brake
 SAND_CLOCK: Final = 13  # > 0: sand is asked for so much longer; < 0: time slid so far, s
 WITNESS_CLOCK: Final = 14  # time the wheel has turned at the reference speed, s
-N_AXLE: Final = 15
+LAST_READING: Final = 15  # what the sensor read last, m/s
+FROZEN_CLOCK: Final = 16  # how long a braked wheel has read the very same, s
+N_AXLE: Final = 17
 
 
 def axle_base(axle: int) -> int:
@@ -47,7 +49,7 @@ def axle_base(axle: int) -> int:
     Examples
     --------
     >>> axle_base(0), axle_base(2)
-    (12, 42)
+    (12, 46)
     """
     return N_TRAIN + axle * N_AXLE
 
@@ -58,6 +60,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(16)
-    252
+    284
     """
     return N_TRAIN + n_axles * N_AXLE

@@ -14,12 +14,15 @@ from railgrip.control.conventional_parameters import (
     DEAD_TIME,
     DYNAMIC_LEAST_FORCE,
     EMPTY_PRESSURE,
+    FROZEN_TIME,
 )
 from railgrip.control.conventional_state import (
     ACCELERATION,
     DEAD_CLOCK,
     DIAMETER,
+    FROZEN_CLOCK,
     IS_FAULTY,
+    LAST_READING,
     REFERENCE,
     SPEED,
     SPEED_LAG,
@@ -49,7 +52,9 @@ def read_wheel(
     -----
     A toothed wheel knows no direction, so the magnitude counts. A reading that is no number makes
     the axle faulty at once. A standing reading is a locked wheel or a dead sensor: it is a dead
-    sensor if the wheel stands although nothing has braked it for a while.
+    sensor if the wheel stands although nothing has braked it for a while. A braked wheel never
+    reads the very same speed for long, so one that does is frozen; believed, it would keep the
+    reference speed up and all other brakes released.
     """
     reading = measured[axle, WHEEL_SPEED]
     if not -GREATEST_SPEED < reading < GREATEST_SPEED:
@@ -76,14 +81,21 @@ def _watch_dead_sensor(
     speed: float,
     dt: float,
 ) -> None:
-    """Decide between a locked wheel and a dead sensor, with a clock."""
+    """Decide between a locked wheel and a dead or frozen sensor, with clocks."""
+    is_braked = (
+        measured[axle, CYLINDER_PRESSURE] >= parameters[EMPTY_PRESSURE]
+        or measured[axle, DYNAMIC_FORCE] >= parameters[DYNAMIC_LEAST_FORCE]
+    )
+    reading = measured[axle, WHEEL_SPEED]
+    is_same = reading == state[base + LAST_READING]
+    state[base + LAST_READING] = reading
     clock = state[base + DEAD_CLOCK]
     if speed > parameters[DEAD_SPEED]:
         clock = max(0.0, clock - dt)
-    elif (
-        measured[axle, CYLINDER_PRESSURE] < parameters[EMPTY_PRESSURE]
-        and measured[axle, DYNAMIC_FORCE] < parameters[DYNAMIC_LEAST_FORCE]
-    ):
+        frozen = state[base + FROZEN_CLOCK] + dt if is_same and is_braked else 0.0
+        state[base + FROZEN_CLOCK] = frozen
+        clock = parameters[DEAD_TIME] if frozen >= parameters[FROZEN_TIME] else clock
+    elif not is_braked:
         clock = min(parameters[DEAD_TIME], clock + dt)
     state[base + DEAD_CLOCK] = clock
     if clock >= parameters[DEAD_TIME]:

@@ -75,3 +75,19 @@ def test_direction_does_not_count():
     state, base = wheel()
     read(state, base, -25.0)
     assert state[base + st.SPEED] == 25.0
+
+
+def test_a_braked_wheel_that_reads_the_very_same_is_frozen_and_an_unbraked_one_is_not():
+    state, base = wheel()
+    read(state, base, 30.0, pressure=0.0, n=200)
+    assert state[base + st.IS_FAULTY] == 0.0
+    read(state, base, 30.0, pressure=2e5, n=49)
+    assert state[base + st.IS_FAULTY] == 0.0
+    read(state, base, 30.0, pressure=2e5, n=2)
+    assert state[base + st.IS_FAULTY] == 1.0
+
+
+def test_a_locked_wheel_is_not_a_frozen_sensor():
+    state, base = wheel()
+    read(state, base, 0.0, pressure=2e5, n=500)
+    assert state[base + st.IS_FAULTY] == 0.0
