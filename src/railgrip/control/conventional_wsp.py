@@ -89,7 +89,7 @@ def conventional_kernel(
     dt: float,
 ) -> None:
     """Advance the WSP by one period; arguments as in the controller contract."""
-    observe_train(parameters, axle_setup, state, measured, dt)
+    observe_train(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
     learn_diameters(parameters, state, measured, dt)
     reference = state[REFERENCE]
     lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)

@@ -28,7 +28,7 @@ AXLE_OUTCOMES = (
 """Columns of Outcome.axle."""
 TRAIN_TRACES = (
     "train_speed", "train_position", "acceleration", "reference_speed", "brake_demand",
-    "track_brake_force",
+    "track_brake_force", "wsp_state",
 )  # fmt: skip
 """Columns of Outcome.trace_train."""
 AXLE_TRACES = (
@@ -36,6 +36,7 @@ AXLE_TRACES = (
     "friction_ratio", "friction_decay", "adhesion_reduction", "slip_reduction", "cleaning",
     "brake_cylinder_pressure", "supply_pressure", "dump_valve", "clamp_force", "pad_friction",
     "brake_force", "dynamic_force", "disc_temperature", "hub_temperature", "is_sliding", "alarm",
+    "slip_range",
 )  # fmt: skip
 """Columns of Outcome.trace_axle."""
 
@@ -70,6 +71,7 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
         tick, timing.demand_tick, timing.demand_level, timing.demand_emergency
     )
     train[5] = S[at.TRACK_BRAKE_FORCE * L + k]
+    train[6] = memory.command[k, 0, ctl.WSP_STATE]
     for axle in range(n_axles):
         _record_axle(L, S, memory.command[k, axle], out.trace_axle[run, row, axle], plan, axle, k)
     n_vehicles = out.trace_vehicle.shape[2]
@@ -101,6 +103,7 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
     row[18] = S[b + at.HUB_TEMPERATURE * L]
     row[19] = command[ctl.IS_SLIDING]
     row[20] = S[b + at.ALARM * L]
+    row[21] = command[ctl.SLIP_RANGE]
 
 
 @compiled
