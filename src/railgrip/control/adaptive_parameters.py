@@ -29,6 +29,9 @@ class Supervision(NamedTuple):
 
     Parameters
     ----------
+    supervise_every : float
+        Control periods from one look of the supervisor to the next; its decisions take seconds, so
+        it need not look in each (illustrative).
     rule : float
         1, lookout: the leading axles stay in macro-slip and tell whether sliding cleans the rail.
         0, forces: the source's comparisons (306, 310, 314).
@@ -82,6 +85,7 @@ class Supervision(NamedTuple):
     2.0
     """
 
+    supervise_every: float = 2.0
     rule: float = LOOKOUT
     start: float = MACRO
     lead_axles: float = 2.0
@@ -123,7 +127,7 @@ _CODES: Final = {
     "signal": (PRESSURE, RAIL_FORCE),
     "scale": (UNSCALED, BY_LOAD),
 }
-_COUNTS: Final = ("lead_axles", "n_test", "least_axles")
+_COUNTS: Final = ("supervise_every", "lead_axles", "n_test", "least_axles")
 
 
 def check_supervision(parameters: Any) -> None:
@@ -166,6 +170,7 @@ def _place(name: str) -> int:
     return N_RANGED + Supervision._fields.index(name)
 
 
+SUPERVISE_EVERY: Final = _place("supervise_every")
 RULE: Final = _place("rule")
 START: Final = _place("start")
 LEAD_AXLES: Final = _place("lead_axles")

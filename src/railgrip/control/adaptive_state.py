@@ -23,7 +23,8 @@ MACRO_SLID: Final = 9  # sum of slid distance over those in macro-slip, m
 LEADER_FORCE: Final = 10  # FB of the first leading test axle; 0 while it does not count
 FOLLOWER_FORCE: Final = 11  # FB of the last leading test axle; 0 while it does not count
 LEADER_SLID: Final = 12  # slid distance of the first leading test axle, m
-N_SYSTEM: Final = 13
+WAITED: Final = 13  # control periods since the supervisor last looked
+N_SYSTEM: Final = 14
 
 # Each axle; forces in the unit of the signal.
 FORCE: Final = 0  # through the short filter
@@ -56,7 +57,7 @@ def axle_place(axle: int, n_axles: int) -> int:
     Examples
     --------
     >>> axle_place(1, 16)
-    291
+    292
     """
     return ranged_state_size(n_axles) + N_SYSTEM + axle * N_AXLE
 
@@ -67,6 +68,6 @@ def adaptive_state_size(n_axles: int) -> int:
     Examples
     --------
     >>> adaptive_state_size(16)
-    441
+    442
     """
     return axle_place(n_axles, n_axles)

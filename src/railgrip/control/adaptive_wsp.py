@@ -21,6 +21,7 @@ from railgrip.control.adaptive_parameters import (
     MOTORED_FACTOR,
     SCALE,
     START,
+    SUPERVISE_EVERY,
     AdaptiveParameters,
     check_supervision,
 )
@@ -28,6 +29,7 @@ from railgrip.control.adaptive_state import (
     FACTOR,
     IS_ARMED,
     STATE,
+    WAITED,
     adaptive_state_size,
     axle_place,
     system_place,
@@ -83,12 +85,15 @@ def adaptive_kernel(
     """Advance the protection by one period; arguments as in the controller contract."""
     n_axles = measured.shape[0]
     observe_in_ranges(parameters, axle_setup, state, measured, dt)
-    weigh_axles(parameters, axle_setup, state, measured, dt)
-    now = state[system_place(n_axles) + STATE]
-    supervise(parameters, state, n_axles, dt)
+    waited = system_place(n_axles) + WAITED
+    state[waited] += 1.0
+    if state[waited] >= parameters[SUPERVISE_EVERY]:
+        look = state[waited] * dt
+        state[waited] = 0.0
+        weigh_axles(parameters, axle_setup, state, measured, look)
+        command[0, WSP_STATE] = state[system_place(n_axles) + STATE]
+        supervise(parameters, state, n_axles, look)
     protect_in_ranges(parameters, axle_setup, state, measured, command, dt)
-    for axle in range(n_axles):
-        command[axle, WSP_STATE] = now
 
 
 class AdaptiveWSP(KernelController):
