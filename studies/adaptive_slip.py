@@ -41,6 +41,11 @@ SPREAD: Final = 0.3  # of the friction, over its mean
 CORRELATION: Final = "100 m"  # usual, unverified: 50 to 300 m
 LINE: Final = 24.0e3  # m of patches; every run begins somewhere else on it
 
+SOURCE: Final = {
+    "rule": 0.0, "lead_axles": 0.0, "start": 2.0, "mean_time": 1.5, "decide_distance": 5.0,
+    "test_distance": 5.0,
+}  # fmt: skip
+"""The source's rule with the starting values of a trial."""
 STRATEGIES: Final[dict[str, tuple[str, dict[str, float]]]] = {
     "conventional": ("conventional", {}),
     "macro": ("macro_slip", {}),
@@ -49,17 +54,16 @@ STRATEGIES: Final[dict[str, tuple[str, dict[str, float]]]] = {
     "50/50 front": ("mixed_slip", {"arrangement": 3.0}),
     "50/50 rear": ("mixed_slip", {"arrangement": 4.0}),
     "adaptive": ("adaptive", {}),
-    "adaptive, forces": ("adaptive", {"rule": 0.0, "lead_axles": 0.0}),
+    "adaptive, forces": ("adaptive", SOURCE),
 }
-"""Name → controller and parameters; the last follows the source's rule."""
+"""Name → controller and parameters."""
 
 
 class Cell(NamedTuple):
-    """Stopping distances of one strategy on one rail."""
+    """Stopping distances of one strategy on one rail: mean and standard deviation, m."""
 
     mean: float
     spread: float
-    longest_lock: float
 
 
 def rail_scenario(rail: str, speed: int, with_sand: bool) -> rg.Scenario:
@@ -118,8 +122,7 @@ def cell(scenario: rg.Scenario, rail: str, strategy: str, fields: int) -> Cell:
     distance = data["stopping_distance"].values
     if not np.isfinite(distance).all():
         raise SystemExit(f"{rail}, {strategy}: {np.isnan(distance).sum()} trains did not stop")
-    lock = float(data["axle_longest_lock"].max())
-    return Cell(float(distance.mean()), float(distance.std(ddof=1)), lock)
+    return Cell(float(distance.mean()), float(distance.std(ddof=1)))
 
 
 def study(

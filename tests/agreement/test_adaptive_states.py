@@ -13,7 +13,7 @@ import railgrip as rg
 from railgrip.control.adaptive_parameters import AdaptiveParameters
 from railgrip.control.adaptive_states import TRANSITIONS
 from railgrip.control.adaptive_wsp import AdaptiveWSP
-from railgrip.control.contract import MACRO, MICRO
+from railgrip.control.contract import MACRO, MICRO, MIDDLE
 from railgrip.control.fixed_ranges import MacroSlip, MixedSlip
 from railgrip.core.status import RunStatus
 
@@ -22,7 +22,7 @@ IN_MACRO = [301, 302, 303]
 DECIDES = [304, 305, 306]
 TEST = [308, 309, 310]
 FAILS = [311, 312, 313, 314]
-SOURCE = {"rule": 0.0, "lead_axles": 0.0}
+SOURCE = {"rule": 0.0, "lead_axles": 0.0, "start": MACRO}
 
 
 def stop(rail: dict[str, Any], **parameters: float) -> rg.Result:
@@ -51,7 +51,10 @@ def test_rail_that_recovers(parameters: dict[str, float]) -> None:
     numbers = way(result)
     assert numbers[:9] == [*IN_MACRO, *DECIDES, *IN_MACRO]
     assert set(numbers) == {*IN_MACRO, *DECIDES}
-    assert (result["slip_range"].values[0] == MACRO).mean() > 0.99
+    begun = np.argmax(result["wsp_state"].values[0] == 306)
+    assert (result["slip_range"].values[0][:, begun + 5 :] == MACRO).all()
+    waited = MACRO if parameters else MIDDLE
+    assert (result["slip_range"].values[0][2:, 5:begun] == waited).all()
 
 
 @pytest.mark.parametrize("parameters", [{}, SOURCE], ids=["lookout", "forces"])
@@ -108,7 +111,7 @@ def test_macro_slip_is_the_conventional_protection_to_the_bit() -> None:
 
 def test_by_name_and_with_parameters_of_a_scenario() -> None:
     described = rg.load("coach_leaves").with_(
-        {"wsp": {"controller": "adaptive", "parameters": {"rule": 0, "lead_axles": 0}}}
+        {"wsp": {"controller": "adaptive", "parameters": {"rule": 0, "lead_axles": 0, "start": 2}}}
     )
     assert (rg.simulate(described)["wsp_state"].values >= 301).any()
     with pytest.raises(rg.RailgripError, match=r"decide_distanse.*decide_distance"):

@@ -43,7 +43,7 @@ from railgrip.control.adaptive_state import (
     axle_place,
     system_place,
 )
-from railgrip.control.contract import BRAKED, MACRO, MOTORED, FloatArray
+from railgrip.control.contract import BRAKED, MICRO, MOTORED, FloatArray
 from railgrip.control.conventional_parameters import ROTATING_SHARE
 from railgrip.control.conventional_state import (
     ACCELERATION,
@@ -141,7 +141,7 @@ def weigh_axles(
                 follower_force = mean
         f0 = state[block + F0]
         if f0 > 0.0:
-            if state[range_place(axle, n_axles)] == MACRO:
+            if state[range_place(axle, n_axles)] > MICRO:
                 n_macro += 1.0
                 macro_force += mean
                 macro_f0 += f0

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any, Final, NamedTuple
 
-from railgrip.control.contract import MACRO, MICRO
+from railgrip.control.contract import MACRO, MICRO, MIDDLE
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.parameter_sets import joined
-from railgrip.control.slip_ranges import N_RANGED, MicroBand
+from railgrip.control.slip_ranges import N_RANGED, RangeBands
 from railgrip.core.errors import Problem, RailgripError
 
 FORCES: Final = 0.0
@@ -36,7 +36,8 @@ class Supervision(NamedTuple):
         1, lookout: the leading axles stay in macro-slip and tell whether sliding cleans the rail.
         0, forces: the source's comparisons (306, 310, 314).
     start : float
-        Range at the start and the order that follows from it: 2 macro, 1 micro (reverse order).
+        Range at the start and the order that follows from it: 2 macro, 1 micro (reverse order), 1.5
+        as macro, but until the first decision the axles are held in the range between.
     lead_axles : float
         How many axles at the head of the train are test axles for good; with the lookout the last
         of them is compared with the first. 0 for the source's flow.
@@ -74,6 +75,8 @@ class Supervision(NamedTuple):
         FB and slid distance begin anew so long after a change of range, [s] (trial).
     decide_distance, test_distance : float
         Slid distance for a decision in 305 and for the end of a test in 309, [m] (trial: 5; study).
+    early_distance : float
+        Slid distance after which the lookout may already decide for macro, [m] (study).
     test_time, test_pause : float
         Longest test, pause before the next, [s] (trial).
     least_axles : float
@@ -87,14 +90,14 @@ class Supervision(NamedTuple):
 
     supervise_every: float = 2.0
     rule: float = LOOKOUT
-    start: float = MACRO
+    start: float = MIDDLE
     lead_axles: float = 2.0
     n_test: float = 1.0
     k_system: float = 0.8
     k_axle: float = 0.9
     return_margin: float = 1.05
     clean_stay: float = 1.1
-    clean_return: float = 1.25
+    clean_return: float = 1.2
     decide: float = AFTER_TEST
     return_to: float = 301.0
     is_symmetric: float = 0.0
@@ -106,21 +109,22 @@ class Supervision(NamedTuple):
     breakaway_growth: float = 0.3
     adhesion_share: float = 0.5
     f0_filter: float = 0.05
-    mean_time: float = 1.5
+    mean_time: float = 1.2
     restart_after: float = 1.5
     decide_distance: float = 8.0
-    test_distance: float = 5.0
+    test_distance: float = 3.0
+    early_distance: float = 1.0
     test_time: float = 8.0
     test_pause: float = 1.5
     least_axles: float = 3.0
 
 
-AdaptiveParameters = joined("AdaptiveParameters", ConventionalParameters, MicroBand, Supervision)
-"""Parameters of `AdaptiveWSP`: those of the ordinary WSP, `MicroBand`, `Supervision`."""
+AdaptiveParameters = joined("AdaptiveParameters", ConventionalParameters, RangeBands, Supervision)
+"""Parameters of `AdaptiveWSP`: those of the ordinary WSP, `RangeBands`, `Supervision`."""
 
 _CODES: Final = {
     "rule": (FORCES, LOOKOUT),
-    "start": (MICRO, MACRO),
+    "start": (MICRO, MIDDLE, MACRO),
     "decide": (AFTER_TEST, ALWAYS),
     "return_to": (301.0, 302.0),
     "is_symmetric": (0.0, 1.0),
@@ -195,6 +199,7 @@ MEAN_TIME: Final = _place("mean_time")
 RESTART_AFTER: Final = _place("restart_after")
 DECIDE_DISTANCE: Final = _place("decide_distance")
 TEST_DISTANCE: Final = _place("test_distance")
+EARLY_DISTANCE: Final = _place("early_distance")
 TEST_TIME: Final = _place("test_time")
 TEST_PAUSE: Final = _place("test_pause")
 LEAST_AXLES: Final = _place("least_axles")

@@ -24,7 +24,8 @@ LEADER_FORCE: Final = 10  # FB of the first leading test axle; 0 while it does n
 FOLLOWER_FORCE: Final = 11  # FB of the last leading test axle; 0 while it does not count
 LEADER_SLID: Final = 12  # slid distance of the first leading test axle, m
 WAITED: Final = 13  # control periods since the supervisor last looked
-N_SYSTEM: Final = 14
+IS_DECIDED: Final = 14  # 1 once 306 has been asked: before, 301 starts in `start`
+N_SYSTEM: Final = 15
 
 # Each axle; forces in the unit of the signal.
 FORCE: Final = 0  # through the short filter
@@ -57,7 +58,7 @@ def axle_place(axle: int, n_axles: int) -> int:
     Examples
     --------
     >>> axle_place(1, 16)
-    292
+    293
     """
     return ranged_state_size(n_axles) + N_SYSTEM + axle * N_AXLE
 
@@ -68,6 +69,6 @@ def adaptive_state_size(n_axles: int) -> int:
     Examples
     --------
     >>> adaptive_state_size(16)
-    442
+    443
     """
     return axle_place(n_axles, n_axles)

@@ -4,6 +4,8 @@ Two rules answer its three questions (306, 310, 314). *Forces* is the source's o
 macro-slip against F0, and against the mean force in micro-slip. *Lookout* keeps the leading axles
 in macro-slip and compares the last of them with the first: where sliding cleans the rail the
 follower reaches more force on the same spot a moment later; where it does not, it reaches as much.
+Until the first decision the axles behind may be held in a middle range: a first slide right down to
+macro-slip costs a stop on leaves more than all that follows.
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ from railgrip.control.adaptive_parameters import (
     CLEAN_STAY,
     DECIDE,
     DECIDE_DISTANCE,
+    EARLY_DISTANCE,
     IS_SYMMETRIC,
     K_AXLE,
     K_SYSTEM,
@@ -23,6 +26,7 @@ from railgrip.control.adaptive_parameters import (
     RETURN_MARGIN,
     RETURN_TO,
     RULE,
+    START,
     TEST_DISTANCE,
     TEST_PAUSE,
     TEST_TIME,
@@ -31,6 +35,7 @@ from railgrip.control.adaptive_state import (
     F0,
     FOLLOWER_FORCE,
     HAS_PASSED,
+    IS_DECIDED,
     IS_LEAD,
     IS_TESTED,
     LEADER_FORCE,
@@ -85,9 +90,20 @@ def supervise(parameters: FloatArray, state: FloatArray, n_axles: int, dt: float
     """
     system = system_place(n_axles)
     now = state[system + STATE]
+    if now <= IS_MACRO_BETTER:
+        after = _step_in_macro(parameters, state, n_axles, now)
+    else:
+        after = _step_in_micro(parameters, state, n_axles, now, dt)
+    state[system + STATE] = after
+
+
+def _step_in_macro(parameters: FloatArray, state: FloatArray, n_axles: int, now: float) -> float:
+    """Do what 301 … 306 say and return the next state."""
+    system = system_place(n_axles)
     after = now
     if now == START_MACRO:
-        set_all(state, n_axles, MACRO)
+        is_decided = state[system + IS_DECIDED] > 0.0
+        set_all(state, n_axles, MACRO if is_decided else parameters[START])
         after = STORE_F0
     elif now == STORE_F0:
         if state[system + N_MACRO] >= min(parameters[LEAST_AXLES], n_axles):
@@ -99,9 +115,21 @@ def supervise(parameters: FloatArray, state: FloatArray, n_axles: int, dt: float
     elif now == HAS_SLID:
         after = IS_MACRO_BETTER if has_slid(parameters, state, system, n_axles) else SUM_UP
     elif now == IS_MACRO_BETTER:
-        is_better = is_macro_better(parameters, state, system)
-        after = parameters[RETURN_TO] if is_better else START_MICRO
-    elif now == START_MICRO:
+        after = START_MICRO
+        if is_macro_better(parameters, state, system):
+            was_decided = state[system + IS_DECIDED] > 0.0
+            after = parameters[RETURN_TO] if was_decided else START_MACRO
+        state[system + IS_DECIDED] = 1.0
+    return after
+
+
+def _step_in_micro(
+    parameters: FloatArray, state: FloatArray, n_axles: int, now: float, dt: float
+) -> float:
+    """Do what 307 … 314 say and return the next state."""
+    system = system_place(n_axles)
+    after = now
+    if now == START_MICRO:
         set_all(state, n_axles, MICRO)
         state[system + TEST_CLOCK] = 0.0
         after = CHOOSE_TEST
@@ -129,7 +157,7 @@ def supervise(parameters: FloatArray, state: FloatArray, n_axles: int, dt: float
         after = COMPARE_RANGES
     elif now == COMPARE_RANGES:
         after = compare_ranges(parameters, state, system)
-    state[system + STATE] = after
+    return after
 
 
 def set_range(state: FloatArray, axle: int, n_axles: int, slip_range: float) -> None:
@@ -159,7 +187,10 @@ def has_slid(parameters: FloatArray, state: FloatArray, system: int, n_axles: in
         and state[system + MACRO_SLID] >= distance * n_counted
     )
     if parameters[RULE] == LOOKOUT:
-        is_enough = state[system + FOLLOWER_FORCE] > 0.0 and state[system + LEADER_SLID] >= distance
+        slid = state[system + LEADER_SLID]
+        gains = rail_gets_clean(state, system, parameters[CLEAN_RETURN])
+        is_enough = state[system + FOLLOWER_FORCE] > 0.0 and slid >= distance
+        is_enough = is_enough or (gains and slid >= parameters[EARLY_DISTANCE])
     return is_enough
 
 

@@ -28,6 +28,7 @@ from railgrip.control.adaptive_parameters import (
 from railgrip.control.adaptive_state import (
     FACTOR,
     IS_ARMED,
+    IS_DECIDED,
     STATE,
     WAITED,
     adaptive_state_size,
@@ -67,11 +68,11 @@ def adaptive_initial(
             factor *= axle_setup[0, AXLE_LOAD] / axle_setup[axle, AXLE_LOAD]
         state[block + FACTOR] = factor
         state[block + IS_ARMED] = 1.0
-        is_macro = parameters[START] == MACRO or axle < parameters[LEAD_AXLES]
-        state[range_place(axle, n_axles)] = MACRO if is_macro else MICRO
-    state[system_place(n_axles) + STATE] = (
-        START_MACRO if parameters[START] == MACRO else START_MICRO
-    )
+        is_lead = axle < parameters[LEAD_AXLES]
+        state[range_place(axle, n_axles)] = MACRO if is_lead else parameters[START]
+    is_reverse = parameters[START] == MICRO
+    state[system_place(n_axles) + IS_DECIDED] = 1.0 if is_reverse else 0.0
+    state[system_place(n_axles) + STATE] = START_MICRO if is_reverse else START_MACRO
 
 
 def adaptive_kernel(
@@ -102,7 +103,7 @@ class AdaptiveWSP(KernelController):
     Parameters
     ----------
     parameters : AdaptiveParameters, optional
-        Those of the ordinary WSP, `MicroBand` and `Supervision`.
+        Those of the ordinary WSP, `RangeBands` and `Supervision`.
     period : float
         Time between two steps, [s].
 

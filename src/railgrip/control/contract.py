@@ -35,6 +35,7 @@ VENT: Final = 2.0
 
 # Codes of the slip range that an axle is held in; 0 where a controller has no ranges.
 MICRO: Final = 1.0
+MIDDLE: Final = 1.5
 MACRO: Final = 2.0
 
 # Columns of measured[axle, column].
@@ -130,7 +131,8 @@ class Command(NamedTuple):
     is_sliding, alarm : ndarray (axle), optional
         1 where the controller sees a slide; its code of a fault. For the record only.
     slip_range : ndarray (axle), optional
-        MICRO (1) or MACRO (2): the range of slip that the axle is held in. For the record only.
+        MICRO (1), MIDDLE (1.5) or MACRO (2): the range of slip that the axle is held in. For the
+        record only.
     wsp_state : float, optional
         Number of the state that the controller is in, if it numbers them. For the record only.
     """

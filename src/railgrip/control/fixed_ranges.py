@@ -15,7 +15,7 @@ from railgrip.control.parameter_sets import joined
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_ranges import (
     N_RANGED,
-    MicroBand,
+    RangeBands,
     check_bands,
     observe_in_ranges,
     protect_in_ranges,
@@ -44,8 +44,8 @@ class Arrangement(NamedTuple):
     arrangement: float = ALL_MACRO
 
 
-FixedParameters = joined("FixedParameters", ConventionalParameters, MicroBand, Arrangement)
-"""Parameters of the fixed strategies: those of the ordinary WSP, `MicroBand`, `Arrangement`."""
+FixedParameters = joined("FixedParameters", ConventionalParameters, RangeBands, Arrangement)
+"""Parameters of the fixed strategies: those of the ordinary WSP, `RangeBands`, `Arrangement`."""
 
 
 def range_in(arrangement: float, axle: int, n_axles: int) -> float:
@@ -97,7 +97,7 @@ class FixedRanges(KernelController):
     Parameters
     ----------
     parameters : FixedParameters, optional
-        Those of the ordinary WSP, `MicroBand` and `Arrangement`.
+        Those of the ordinary WSP, `RangeBands` and `Arrangement`.
     period : float
         Time between two steps, [s].
 

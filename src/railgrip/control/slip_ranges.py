@@ -10,8 +10,8 @@ from typing import Final, NamedTuple
 
 from railgrip.control.axle_protection import protect_axle
 from railgrip.control.contract import (
-    MACRO,
     MICRO,
+    MIDDLE,
     REFERENCE_SPEED,
     SLIP_RANGE,
     FloatArray,
@@ -30,24 +30,30 @@ from railgrip.control.train_observer import observe_train
 from railgrip.core.errors import Problem, RailgripError
 
 
-class MicroBand(NamedTuple):
-    """The band of the micro range; that of the macro range is the ordinary WSP's own, SI.
+class RangeBands(NamedTuple):
+    """Bands of the lower ranges; that of the macro range is the ordinary WSP's own, SI.
 
     Parameters
     ----------
     micro_lower, micro_upper : float
         Slip below which the brake fills again and above which it vents in micro-slip, share of the
         reference speed (trial).
+    middle_lower, middle_upper : float
+        The same in the range between, for axles of which it is not yet decided (study).
     """
 
     micro_lower: float = 0.008
     micro_upper: float = 0.02
+    middle_lower: float = 0.04
+    middle_upper: float = 0.08
 
 
 N_CONVENTIONAL: Final = len(ConventionalParameters._fields)
 MICRO_LOWER: Final = N_CONVENTIONAL
 MICRO_UPPER: Final = N_CONVENTIONAL + 1
-N_RANGED: Final = N_CONVENTIONAL + len(MicroBand._fields)
+MIDDLE_LOWER: Final = N_CONVENTIONAL + 2
+MIDDLE_UPPER: Final = N_CONVENTIONAL + 3
+N_RANGED: Final = N_CONVENTIONAL + len(RangeBands._fields)
 """Where the parameters of a controller that builds on this one begin."""
 
 
@@ -84,8 +90,11 @@ def observe_in_ranges(
     n_axles = measured.shape[0]
     slip_lower = parameters[SLIP_LOWER]
     for axle in range(n_axles):
-        if state[range_place(axle, n_axles)] == MICRO:
-            slip_lower = parameters[MICRO_LOWER]
+        slip_range = state[range_place(axle, n_axles)]
+        if slip_range == MICRO:
+            slip_lower = min(slip_lower, parameters[MICRO_LOWER])
+        elif slip_range == MIDDLE:
+            slip_lower = min(slip_lower, parameters[MIDDLE_LOWER])
     observe_train(parameters, axle_setup, state, measured, slip_lower, dt)
     learn_diameters(parameters, state, measured, dt)
 
@@ -107,33 +116,42 @@ def protect_in_ranges(
     macro_upper = threshold(parameters[SLIP_UPPER], upper_floor, reference)
     micro_lower = threshold(parameters[MICRO_LOWER], lower_floor, reference)
     micro_upper = threshold(parameters[MICRO_UPPER], upper_floor, reference)
+    middle_lower = threshold(parameters[MIDDLE_LOWER], lower_floor, reference)
+    middle_upper = threshold(parameters[MIDDLE_UPPER], upper_floor, reference)
     for axle in range(n_axles):
         slip_range = state[range_place(axle, n_axles)]
-        lower = macro_lower if slip_range == MACRO else micro_lower
-        upper = macro_upper if slip_range == MACRO else micro_upper
+        lower = macro_lower
+        upper = macro_upper
+        if slip_range == MICRO:
+            lower = micro_lower
+            upper = micro_upper
+        elif slip_range == MIDDLE:
+            lower = middle_lower
+            upper = middle_upper
         protect_axle(parameters, axle_setup, state, measured, command, axle, lower, upper, dt)
         command[axle, REFERENCE_SPEED] = reference
         command[axle, SLIP_RANGE] = slip_range
 
 
-def check_bands(parameters: ConventionalParameters, micro: MicroBand) -> None:
+def check_bands(parameters: ConventionalParameters, lower: RangeBands) -> None:
     """Refuse thresholds that contradict each other.
 
     Raises
     ------
     RailgripError
-        "slip_lower: must lie between 0 and slip_upper ...", the same for the micro range.
+        "slip_lower: must lie between 0 and slip_upper ...", the same for the other ranges.
     """
     bands = (
         ("slip", parameters.slip_lower, parameters.slip_upper),
-        ("micro", micro.micro_lower, micro.micro_upper),
+        ("micro", lower.micro_lower, lower.micro_upper),
+        ("middle", lower.middle_lower, lower.middle_upper),
     )
-    for name, lower, upper in bands:
-        if not 0.0 < lower < upper < 1.0:
+    for name, least, greatest in bands:
+        if not 0.0 < least < greatest < 1.0:
             raise RailgripError(
                 Problem(
                     f"{name}_lower",
                     f"must lie between 0 and {name}_upper, and that below 1",
-                    got=f"{lower:g} and {upper:g}",
+                    got=f"{least:g} and {greatest:g}",
                 )
             )

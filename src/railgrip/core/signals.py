@@ -121,7 +121,8 @@ _CATALOGUE = (
         "",
         "1",
         _AXLE,
-        "Range of slip that the controller holds the axle in: 1 micro, 2 macro, 0 none named.",
+        "Range of slip that the controller holds the axle in: 1 micro, 1.5 middle, 2 macro, "
+        "0 unnamed.",
     ),
     # each vehicle over time
     Signal("reservoir_pressure", "p_R", "Pa", _VEHICLE, "Pressure in the brake reservoir, gauge."),

@@ -15,7 +15,7 @@ from railgrip.core.errors import Problem, RailgripError
 if TYPE_CHECKING:
     import xarray as xr
 
-SMALL = frozenset({"dump_valve", "is_sliding", "alarm", "slip_range", "status"})
+SMALL = frozenset({"dump_valve", "is_sliding", "alarm", "status"})
 """Whole numbers from 0 to 7: stored in one byte, -1 for none."""
 
 

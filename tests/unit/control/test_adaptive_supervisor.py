@@ -10,6 +10,7 @@ from railgrip.control.adaptive_state import (
     F0,
     FOLLOWER_FORCE,
     HAS_PASSED,
+    IS_DECIDED,
     IS_LEAD,
     IS_TESTED,
     LEADER_FORCE,
@@ -30,13 +31,13 @@ from railgrip.control.adaptive_state import (
     axle_place,
     system_place,
 )
-from railgrip.control.contract import MACRO, MICRO
+from railgrip.control.contract import MACRO, MICRO, MIDDLE
 from railgrip.control.slip_ranges import range_place
 from railgrip.core.errors import RailgripError
 
 N = 4
 DT = 0.02
-SOURCE = {"rule": FORCES, "lead_axles": 0.0}
+SOURCE = {"rule": FORCES, "lead_axles": 0.0, "start": MACRO}
 
 
 class Bench:
@@ -89,9 +90,11 @@ TAKEN = [
     (at.STORE_F0, at.AVERAGE, lambda: sums(Bench(302.0), macro=(3, 3.0))),
     (at.AVERAGE, at.SUM_UP, lambda: Bench(303.0)),
     (at.SUM_UP, at.HAS_SLID, lambda: Bench(304.0)),
-    (at.HAS_SLID, at.SUM_UP, lambda: lookout(Bench(305.0), 1.0, 2.0, slid=1.0)),
+    (at.HAS_SLID, at.SUM_UP, lambda: lookout(Bench(305.0), 1.0, 1.15, slid=7.9)),
+    (at.HAS_SLID, at.SUM_UP, lambda: lookout(Bench(305.0), 1.0, 1.3, slid=0.9)),
+    (at.HAS_SLID, at.IS_MACRO_BETTER, lambda: lookout(Bench(305.0), 1.0, 1.3, slid=1.1)),
     (at.HAS_SLID, at.SUM_UP, lambda: lookout(Bench(305.0), 1.0, 0.0)),
-    (at.HAS_SLID, at.IS_MACRO_BETTER, lambda: lookout(Bench(305.0), 1.0, 2.0)),
+    (at.HAS_SLID, at.IS_MACRO_BETTER, lambda: lookout(Bench(305.0), 1.0, 1.0, slid=8.1)),
     (at.HAS_SLID, at.SUM_UP, lambda: sums(Bench(305.0, **SOURCE), (4, 4.0), slid=31.0)),
     (at.HAS_SLID, at.SUM_UP, lambda: sums(Bench(305.0, **SOURCE), (2, 2.0), slid=99.0)),
     (at.HAS_SLID, at.IS_MACRO_BETTER, lambda: sums(Bench(305.0, **SOURCE), (4, 4.0), slid=33.0)),
@@ -105,7 +108,7 @@ TAKEN = [
     (
         at.IS_MACRO_BETTER,
         at.STORE_F0,
-        lambda: sums(Bench(306.0, return_to=302.0, **SOURCE), (4, 3.3), f0=4.0),
+        lambda: decided(sums(Bench(306.0, return_to=302.0, **SOURCE), (4, 3.3), f0=4.0)),
     ),
     (
         at.IS_MACRO_BETTER,
@@ -122,25 +125,25 @@ TAKEN = [
         at.AVERAGE_RANGES,
         lambda: Bench(308.0, MICRO, test_pause=0.0, n_test=0.0, **SOURCE),
     ),
-    (at.TEST, at.TEST, lambda: lookout(Bench(309.0), 1.0, 2.0, slid=4.9)),
-    (at.TEST, at.JUDGE_AXLE, lambda: lookout(Bench(309.0), 1.0, 2.0, slid=5.1)),
+    (at.TEST, at.TEST, lambda: lookout(Bench(309.0), 1.0, 2.0, slid=2.9)),
+    (at.TEST, at.JUDGE_AXLE, lambda: lookout(Bench(309.0), 1.0, 2.0, slid=3.1)),
     (at.TEST, at.JUDGE_AXLE, lambda: late(lookout(Bench(309.0), 1.0, 2.0, slid=0.1))),
-    (at.TEST, at.TEST, lambda: on_trial(Bench(309.0, **SOURCE), slid=4.9)),
-    (at.TEST, at.JUDGE_AXLE, lambda: on_trial(Bench(309.0, **SOURCE), slid=5.1)),
+    (at.TEST, at.TEST, lambda: on_trial(Bench(309.0, **SOURCE), slid=2.9)),
+    (at.TEST, at.JUDGE_AXLE, lambda: on_trial(Bench(309.0, **SOURCE), slid=3.1)),
     (
         at.TEST,
         at.START_MACRO,
         lambda: sums(Bench(309.0, decide=ALWAYS, **SOURCE), (1, 1.2), (3, 3.0)),
     ),
     (at.JUDGE_AXLE, at.AVERAGE_RANGES, lambda: lookout(Bench(310.0), 1.0, 1.3)),
-    (at.JUDGE_AXLE, at.AXLE_TO_MICRO, lambda: lookout(Bench(310.0), 1.0, 1.2)),
+    (at.JUDGE_AXLE, at.AXLE_TO_MICRO, lambda: lookout(Bench(310.0), 1.0, 1.15)),
     (at.JUDGE_AXLE, at.AVERAGE_RANGES, lambda: on_trial(Bench(310.0, **SOURCE), force=0.95)),
     (at.JUDGE_AXLE, at.AXLE_TO_MICRO, lambda: on_trial(Bench(310.0, **SOURCE), force=0.85)),
     (at.AXLE_TO_MICRO, at.AVERAGE_RANGES, lambda: Bench(311.0)),
     (at.AVERAGE_RANGES, at.SUM_UP_RANGES, lambda: Bench(312.0)),
     (at.SUM_UP_RANGES, at.COMPARE_RANGES, lambda: Bench(313.0)),
     (at.COMPARE_RANGES, at.START_MACRO, lambda: lookout(Bench(314.0), 1.0, 1.3)),
-    (at.COMPARE_RANGES, at.CHOOSE_TEST, lambda: lookout(Bench(314.0), 1.0, 1.2)),
+    (at.COMPARE_RANGES, at.CHOOSE_TEST, lambda: lookout(Bench(314.0), 1.0, 1.15)),
     (at.COMPARE_RANGES, at.START_MACRO, lambda: sums(Bench(314.0, **SOURCE), (1, 1.1), (3, 3.0))),
     (at.COMPARE_RANGES, at.CHOOSE_TEST, lambda: sums(Bench(314.0, **SOURCE), (1, 1.0), (3, 3.0))),
     (at.COMPARE_RANGES, at.CHOOSE_TEST, lambda: sums(Bench(314.0, **SOURCE), (0, 0.0), (4, 4.0))),
@@ -162,6 +165,11 @@ def lead(bench):
 def on_trial(bench, slid=0.0, force=0.0):
     for place, value in ((IS_TESTED, 1.0), (SLID, slid), (MEAN, force), (F0, 1.0)):
         bench.axle(2, place, value)
+    return bench
+
+
+def decided(bench):
+    bench.system(IS_DECIDED, 1.0)
     return bench
 
 
@@ -193,8 +201,17 @@ def test_all_to_micro_leaves_the_lookout_in_macro():
     assert [bench.of(axle, RANGE_CLOCK) for axle in range(N)] == [9.0, 9.0, 0.0, 0.0]
 
 
+def test_until_the_first_decision_the_followers_wait_in_the_middle_range():
+    bench = lead(Bench(301.0))
+    bench.step()
+    assert bench.ranges == [MACRO, MACRO, MIDDLE, MIDDLE]
+    bench = decided(lead(Bench(301.0, MIDDLE)))
+    bench.step()
+    assert bench.ranges == [MACRO] * N
+
+
 def test_back_to_macro_takes_everyone_and_forgets_the_way_slid():
-    bench = Bench(301.0, MICRO)
+    bench = decided(Bench(301.0, MICRO))
     bench.axle(1, SLID, 3.0)
     bench.step()
     assert bench.ranges == [MACRO] * N
@@ -244,7 +261,7 @@ def test_an_axle_that_never_broke_away_does_not_pass():
     ("wrong", "words"),
     [
         ({"rule": 3.0}, "rule.*got 3.*0, 1"),
-        ({"start": 0.0}, "start.*1, 2"),
+        ({"start": 0.0}, r"start.*1, 1\.5, 2"),
         ({"return_to": 303.0}, "return_to.*301, 302"),
         ({"lead_axles": 1.0}, "lead_axles.*at least 2"),
         ({"n_test": 1.5}, "n_test.*whole"),
