@@ -70,15 +70,12 @@ def figure_3(axes, data, title, end=None):
     for name, value in means(data).items():
         axes.axhline(value, color="0.4", lw=0.8, ls="--")
         axes.text(24.8, value, name, va="bottom", ha="right", fontsize=9)
-    first, last = begin + round(1.0 / step), end - 1
-    axes.annotate(
-        "", (slip[last] * 100, force[last]), (slip[first] * 100, force[first]),
-        arrowprops={"arrowstyle": "-|>", "color": "crimson", "lw": 1.5, "shrinkA": 0, "shrinkB": 0,
-                    "connectionstyle": "arc3,rad=0.2"},
-    )  # fmt: skip
-    axes.text(
-        slip[last] * 100 + 0.4, force[last], "$s_{RB}$", color="crimson", va="center", fontsize=10
-    )
+    # the arrow: at one slip, from the first pass to the last, as the slid distance grows
+    passes = np.flatnonzero(np.abs(slip[begin:end] - 0.08) < 0.01) + begin
+    first, last = force[passes[0]], force[passes[-1]]
+    arrow = {"arrowstyle": "-|>", "color": "crimson", "lw": 2, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", (8, last), (8, first), arrowprops=arrow)
+    axes.text(8.4, min(first, last) - 0.12 * last, "$s_{RB}$ grows", color="crimson", va="top")
     axes.set(
         xlim=(0, 25), ylim=(0, None), xlabel="Slip, %", ylabel="Force of the rail, kN", title=title
     )

@@ -22,7 +22,10 @@ IN_MACRO = [301, 302, 303]
 DECIDES = [304, 305, 306]
 TEST = [308, 309, 310]
 FAILS = [311, 312, 313, 314]
-SOURCE = {"rule": 0.0, "lead_axles": 0.0, "start": MACRO}
+SOURCE = {
+    "rule": 0.0, "lead_axles": 0.0, "start": MACRO, "mean_time": 1.5, "decide_distance": 5.0,
+    "test_distance": 5.0,
+}  # fmt: skip
 
 
 def stop(rail: dict[str, Any], **parameters: float) -> rg.Result:
@@ -73,7 +76,7 @@ def test_rail_that_does_not(parameters: dict[str, float]) -> None:
 
 def test_rail_that_changes_under_way() -> None:
     """Leaves, then detergent, then leaves: to micro, back to macro, to micro again."""
-    patch = {"from": "500 m", "to": "900 m", "condition": "water_detergent"}
+    patch = {"from": "500 m", "to": "700 m", "condition": "water_detergent"}
     result = stop({"condition": "leaves", "patch": [patch]})
     numbers = way(result)
     there = numbers.index(307)
