@@ -16,6 +16,7 @@ release = version = version_of("railgrip")
 
 extensions = [
     "catalogue",
+    "state_diagram",
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",

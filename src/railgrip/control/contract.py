@@ -33,6 +33,11 @@ FILL: Final = 0.0
 HOLD: Final = 1.0
 VENT: Final = 2.0
 
+# Codes of the slip range that an axle is held in; 0 where a controller has no ranges.
+MICRO: Final = 1.0
+MIDDLE: Final = 1.5
+MACRO: Final = 2.0
+
 # Columns of measured[axle, column].
 WHEEL_SPEED: Final = 0
 CYLINDER_PRESSURE: Final = 1
@@ -46,7 +51,8 @@ N_MEASURED: Final = 6
 BELIEVED_RADIUS: Final = 0
 MOTORED: Final = 1
 BRAKED: Final = 2
-N_SETUP: Final = 3
+AXLE_LOAD: Final = 3
+N_SETUP: Final = 4
 
 # Columns of command[axle, column]; the content of the last call is still there in the next.
 DUMP_VALVE: Final = 0
@@ -55,7 +61,9 @@ SANDING: Final = 2
 REFERENCE_SPEED: Final = 3
 IS_SLIDING: Final = 4
 ALARM: Final = 5
-N_COMMAND: Final = 6
+SLIP_RANGE: Final = 6
+WSP_STATE: Final = 7
+N_COMMAND: Final = 8
 
 
 class Setup(NamedTuple):
@@ -72,6 +80,8 @@ class Setup(NamedTuple):
     motored, braked : ndarray of bool (axle)
         Whether the axle has a motor (dynamic brake or traction), whether it has a friction brake
         with a dump valve.
+    axle_load : ndarray (axle), optional
+        Load of the axle as the vehicle weighs it, [N]; only its ratio to other axles counts.
     """
 
     n_axles: int
@@ -79,6 +89,7 @@ class Setup(NamedTuple):
     wheel_radius: FloatArray
     motored: NDArray[np.bool_]
     braked: NDArray[np.bool_]
+    axle_load: FloatArray | None = None
 
 
 class Measured(NamedTuple):
@@ -124,6 +135,11 @@ class Command(NamedTuple):
         The train's speed as the controller believes it, [m/s].
     is_sliding, alarm : ndarray (axle), optional
         1 where the controller sees a slide; its code of a fault. For the record only.
+    slip_range : ndarray (axle), optional
+        MICRO (1), MIDDLE (1.5) or MACRO (2): the range of slip that the axle is held in. For the
+        record only.
+    wsp_state : float, optional
+        Number of the state that the controller is in, if it numbers them. For the record only.
     """
 
     dump_valve: FloatArray
@@ -132,6 +148,8 @@ class Command(NamedTuple):
     reference_speed: float
     is_sliding: FloatArray | None = None
     alarm: FloatArray | None = None
+    slip_range: FloatArray | None = None
+    wsp_state: float = 0.0
 
 
 @runtime_checkable
@@ -180,6 +198,7 @@ def setup_array(setup: Setup) -> FloatArray:
     array[:, BELIEVED_RADIUS] = setup.wheel_radius
     array[:, MOTORED] = setup.motored
     array[:, BRAKED] = setup.braked
+    array[:, AXLE_LOAD] = 1.0 if setup.axle_load is None else setup.axle_load
     return array
 
 
@@ -232,4 +251,6 @@ def command_from_array(array: FloatArray) -> Command:
         reference_speed=float(array[0, REFERENCE_SPEED]),
         is_sliding=array[:, IS_SLIDING].copy(),
         alarm=array[:, ALARM].copy(),
+        slip_range=array[:, SLIP_RANGE].copy(),
+        wsp_state=float(array[0, WSP_STATE]),
     )

@@ -8,22 +8,11 @@ keeps them near the peak of the adhesion curve, for rail that sliding does not h
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-import numpy as np
-
 from railgrip.control.axle_protection import protect_axle
 from railgrip.control.contract import (
     REFERENCE_SPEED,
     WHEEL_SPEED,
-    Command,
     FloatArray,
-    Measured,
-    Setup,
-    command_array,
-    command_from_array,
-    measured_array,
-    setup_array,
 )
 from railgrip.control.conventional_parameters import (
     DECELERATION_PER_PRESSURE,
@@ -32,7 +21,6 @@ from railgrip.control.conventional_parameters import (
     SLIP_SPEED_UPPER_FLOOR,
     SLIP_UPPER,
     ConventionalParameters,
-    parameter_array,
 )
 from railgrip.control.conventional_state import (
     ADHERED_CLOCK,
@@ -48,6 +36,7 @@ from railgrip.control.conventional_state import (
     state_size,
 )
 from railgrip.control.diameter_compensation import learn_diameters
+from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
 from railgrip.control.train_observer import observe_train
 from railgrip.control.wheel_speed import GREATEST_SPEED
@@ -89,7 +78,7 @@ def conventional_kernel(
     dt: float,
 ) -> None:
     """Advance the WSP by one period; arguments as in the controller contract."""
-    observe_train(parameters, axle_setup, state, measured, dt)
+    observe_train(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
     learn_diameters(parameters, state, measured, dt)
     reference = state[REFERENCE]
     lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)
@@ -99,16 +88,7 @@ def conventional_kernel(
         command[axle, REFERENCE_SPEED] = reference
 
 
-class ConventionalState(NamedTuple):
-    """Memory of the plain form: the arrays that the kernel works on."""
-
-    axle_setup: FloatArray
-    values: FloatArray
-    command: FloatArray
-    has_started: list[bool]
-
-
-class ConventionalWSP:
+class ConventionalWSP(KernelController):
     """Conventional WSP as a controller, in the plain and in the compiled form.
 
     Parameters
@@ -157,26 +137,4 @@ class ConventionalWSP:
                     got=f"{parameters.slip_lower:g} and {parameters.slip_upper:g}",
                 )
             )
-        self.parameters = parameters
-        self.period = period
-        self._parameter_array = parameter_array(parameters)
-
-    def reset(self, setup: Setup) -> ConventionalState:
-        """Return a new state."""
-        return ConventionalState(
-            axle_setup=setup_array(setup),
-            values=np.zeros(state_size(setup.n_axles)),
-            command=command_array(setup.n_axles),
-            has_started=[False],
-        )
-
-    def step(self, state: ConventionalState, measured: Measured, dt: float) -> Command:
-        """Return the command for the next period."""
-        columns = measured_array(measured)
-        if not state.has_started[0]:
-            conventional_initial(self._parameter_array, state.axle_setup, state.values, columns)
-            state.has_started[0] = True
-        conventional_kernel(
-            self._parameter_array, state.axle_setup, state.values, columns, state.command, dt
-        )
-        return command_from_array(state.command)
+        super().__init__(parameters, period)

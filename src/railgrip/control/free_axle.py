@@ -14,7 +14,6 @@ from railgrip.control.conventional_parameters import (
     DRIFT_SHARE,
     FREE_LONGEST,
     INHIBIT_SPEED,
-    SLIP_LOWER,
 )
 from railgrip.control.conventional_state import DRIFT, FREED_AXLE, FREED_TIME, REFERENCE
 
@@ -24,6 +23,7 @@ def free_an_axle(
     state: FloatArray,
     candidate: int,
     is_witnessed: bool,
+    slip_lower: float,
     dt: float,
 ) -> None:
     """Decide which axle, if any, runs free to show the train's speed.
@@ -36,6 +36,8 @@ def free_an_axle(
         The fastest axle that can be released; -1 for none.
     is_witnessed : bool
         Whether enough axles adhere for the reference speed to be trusted.
+    slip_lower : float
+        Slip at the lower threshold of the narrowest band in use.
     dt : float
         Period, [s].
     """
@@ -52,9 +54,7 @@ def free_an_axle(
             state[FREED_AXLE] = 0.0
             state[DRIFT] = 0.0
         return
-    trusted = max(
-        parameters[DRIFT_FLOOR], parameters[DRIFT_SHARE] * parameters[SLIP_LOWER] * reference
-    )
+    trusted = max(parameters[DRIFT_FLOOR], parameters[DRIFT_SHARE] * slip_lower * reference)
     if state[DRIFT] > trusted and candidate >= 0 and reference > parameters[INHIBIT_SPEED]:
         state[FREED_AXLE] = 1.0 + candidate
         state[FREED_TIME] = 0.0

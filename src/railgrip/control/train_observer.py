@@ -15,7 +15,6 @@ from railgrip.control.conventional_parameters import (
     DYNAMIC_LEAST_FORCE,
     EMPTY_PRESSURE,
     PRESSURE_PER_FORCE,
-    SLIP_LOWER,
 )
 from railgrip.control.conventional_state import (
     ACCELERATION,
@@ -47,6 +46,7 @@ def observe_train(
     axle_setup: FloatArray,
     state: FloatArray,
     measured: FloatArray,
+    slip_lower: float,
     dt: float,
 ) -> None:
     """Update wheel speeds, reference speed and the freed axle in the state.
@@ -55,11 +55,14 @@ def observe_train(
     ----------
     parameters, axle_setup, state, measured : ndarray
         As in the controller contract.
+    slip_lower : float
+        Slip at the lower threshold of the narrowest band in use: how exactly the train speed must
+        be known.
     dt : float
         Period, [s].
     """
     n_axles = measured.shape[0]
-    near = state[REFERENCE] * min(parameters[SLIP_LOWER], WITNESS_SLIP)
+    near = state[REFERENCE] * min(slip_lower, WITNESS_SLIP)
     near = max(WITNESS_FLOOR, near)
     fastest = 0.0
     candidate = -1
@@ -94,9 +97,10 @@ def observe_train(
     if n_valid > 0:
         effort /= n_valid
         acceleration /= n_valid
-    is_adhering = n_sliding == 0 and n_witnesses >= min(ENOUGH_WITNESSES, n_axles)
+    is_witnessed = n_witnesses >= min(ENOUGH_WITNESSES, n_axles)
+    is_adhering = n_sliding == 0 and is_witnessed
     estimate_deceleration(parameters, state, effort, acceleration)
-    free_an_axle(parameters, state, candidate, n_witnesses >= min(ENOUGH_WITNESSES, n_axles), dt)
+    free_an_axle(parameters, state, candidate, is_witnessed, slip_lower, dt)
     advance_reference(parameters, state, fastest, seen, dt)
     learn_pressure_gain(parameters, state, effort, fastest, is_adhering, dt)
 

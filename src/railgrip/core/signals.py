@@ -45,6 +45,13 @@ _CATALOGUE = (
     Signal("reference_speed", "v_ref", "m/s", _TRAIN, "Train speed as the WSP believes it."),
     Signal("brake_demand", "d", "1", _TRAIN, "Driver's demand as a share of full braking."),
     Signal("drive_demand", "d_D", "1", _TRAIN, "Driver's demand as a share of full traction."),
+    Signal(
+        "wsp_state",
+        "",
+        "1",
+        _TRAIN,
+        "Number of the state that the controller is in; 0: unnumbered.",
+    ),
     # each axle over time
     Signal("wheel_speed", "w", "m/s", _AXLE, "True peripheral speed of the wheel at the tread."),
     Signal("measured_speed", "w_m", "m/s", _AXLE, "Wheel speed as the controller measures it."),
@@ -123,6 +130,14 @@ _CATALOGUE = (
     ),
     Signal("is_sliding", "", "1", _AXLE, "1 while the controller counts the axle as sliding."),
     Signal("alarm", "", "1", _AXLE, "1 while wheel rotation monitoring reports the axle."),
+    Signal(
+        "slip_range",
+        "",
+        "1",
+        _AXLE,
+        "Range of slip that the controller holds the axle in: 1 micro, 1.5 middle, 2 macro, "
+        "0 unnamed.",
+    ),
     # each vehicle over time
     Signal("reservoir_pressure", "p_R", "Pa", _VEHICLE, "Pressure in the brake reservoir, gauge."),
     Signal("track_brake_force", "F_M", "N", _VEHICLE, "Force of the magnetic track brakes."),

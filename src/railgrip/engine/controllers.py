@@ -145,6 +145,9 @@ def plain_step(controller: Any, state: Any, measured: FloatArray, dt: float) -> 
         columns[:, ctl.REFERENCE_SPEED] = command.reference_speed
         if command.is_sliding is not None:
             columns[:, ctl.IS_SLIDING] = command.is_sliding
+        if command.slip_range is not None:
+            columns[:, ctl.SLIP_RANGE] = command.slip_range
+        columns[:, ctl.WSP_STATE] = command.wsp_state
     except Exception as error:
         raise RailgripError(
             Problem(

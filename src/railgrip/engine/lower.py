@@ -11,7 +11,7 @@ from railgrip.control import contract as ctl
 from railgrip.control.rotation_monitoring import RotationMonitoring
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine import layout as at
-from railgrip.engine.lower_train import ENDLESS, lower_train
+from railgrip.engine.lower_train import ENDLESS, lower_train, static_loads
 from railgrip.engine.plan import Faults, FloatArray, Formation, IntArray, Plan, Timing, Way
 from railgrip.scenario.fault import FAULT_KINDS
 from railgrip.scenario.line import Line
@@ -141,6 +141,7 @@ def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
         setup[i, ctl.BELIEVED_RADIUS] = place.axle.believed_radius
         setup[i, ctl.MOTORED] = place.axle.motor and has_motors
         setup[i, ctl.BRAKED] = place.axle.brake is not None and train.dump_valve is not None
+    setup[:, ctl.AXLE_LOAD] = static_loads(scenario)
     in_emergency = train.dynamic_brake.in_emergency if train.dynamic_brake else True
     return Formation(
         vehicle_of_axle=np.array([place.vehicle for place in axles], dtype=np.int64),
@@ -325,4 +326,5 @@ def controller_setup(scenario: Scenario, period: float) -> ctl.Setup:
         wheel_radius=table[:, ctl.BELIEVED_RADIUS],
         motored=table[:, ctl.MOTORED] > 0,
         braked=table[:, ctl.BRAKED] > 0,
+        axle_load=table[:, ctl.AXLE_LOAD],
     )

@@ -47,7 +47,7 @@ def lower_train(scenario: Scenario) -> tuple[FloatArray, FloatArray]:
     brakes = np.zeros((scenario.train.n_axles, at.BRAKE_COLUMNS))
     _fill(table[0], at.TRAIN_PARAMETERS, _train_values(scenario))
     gains = [gain for vehicle in _transfers(scenario) for gain in vehicle]
-    loads = _static_loads(scenario)
+    loads = static_loads(scenario)
     for i in range(scenario.train.n_axles):
         values, brakes[i] = _axle_values(scenario, i)
         values |= {"STATIC_LOAD": loads[i], "LOAD_TRANSFER": gains[i]}
@@ -93,7 +93,8 @@ def _train_values(scenario: Scenario) -> dict[str, float]:
     }
 
 
-def _static_loads(scenario: Scenario) -> list[float]:
+def static_loads(scenario: Scenario) -> list[float]:
+    """Return the static load of each axle, [N]."""
     loads = []
     for vehicle, payload in zip(scenario.train.vehicle, scenario.payloads(), strict=True):
         axles = [axle for bogie in vehicle.bogie for axle in bogie.axle]

@@ -30,7 +30,7 @@ AXLE_OUTCOMES = (
 """Columns of Outcome.axle."""
 TRAIN_TRACES = (
     "train_speed", "train_position", "acceleration", "reference_speed", "brake_demand",
-    "track_brake_force", "drive_demand",
+    "track_brake_force", "drive_demand", "wsp_state",
 )  # fmt: skip
 """Columns of Outcome.trace_train."""
 AXLE_TRACES = (
@@ -38,7 +38,7 @@ AXLE_TRACES = (
     "friction_ratio", "friction_decay", "adhesion_reduction", "slip_reduction", "cleaning",
     "brake_cylinder_pressure", "supply_pressure", "dump_valve", "clamp_force", "pad_friction",
     "brake_force", "dynamic_force", "disc_temperature", "hub_temperature", "is_sliding", "alarm",
-    "flash_temperature",
+    "flash_temperature", "slip_range",
 )  # fmt: skip
 """Columns of Outcome.trace_axle."""
 
@@ -74,6 +74,7 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
     )
     train[5] = S[at.TRACK_BRAKE_FORCE * L + k]
     train[6] = drive_demand(tick, timing.drive_tick, timing.drive_level)
+    train[7] = memory.command[k, 0, ctl.WSP_STATE]
     for axle in range(n_axles):
         line = out.trace_axle[run, row, axle]
         _record_axle(L, S, memory.command[k, axle], line, plan, axle, k)
@@ -107,6 +108,7 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
     row[19] = command[ctl.IS_SLIDING]
     row[20] = S[b + at.ALARM * L]
     row[21] = S[b + at.FLASH_RISE * L]
+    row[22] = command[ctl.SLIP_RANGE]
 
 
 @compiled

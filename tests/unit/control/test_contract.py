@@ -14,18 +14,21 @@ def test_columns_are_a_complete_numbering():
     }  # fmt: skip
     command = {
         ctl.DUMP_VALVE, ctl.DYNAMIC_SHARE, ctl.SANDING, ctl.REFERENCE_SPEED, ctl.IS_SLIDING,
-        ctl.ALARM,
+        ctl.ALARM, ctl.SLIP_RANGE, ctl.WSP_STATE,
     }  # fmt: skip
     assert measured == set(range(ctl.N_MEASURED))
     assert command == set(range(ctl.N_COMMAND))
-    assert {ctl.BELIEVED_RADIUS, ctl.MOTORED, ctl.BRAKED} == set(range(ctl.N_SETUP))
+    setup = {ctl.BELIEVED_RADIUS, ctl.MOTORED, ctl.BRAKED, ctl.AXLE_LOAD}
+    assert setup == set(range(ctl.N_SETUP))
 
 
 def test_setup_and_measured_reach_their_columns():
     setup = ctl.Setup(
         2, 0.01, np.array([0.46, 0.45]), np.array([True, False]), np.array([False, True])
     )
-    assert ctl.setup_array(setup).tolist() == [[0.46, 1.0, 0.0], [0.45, 0.0, 1.0]]
+    assert ctl.setup_array(setup).tolist() == [[0.46, 1.0, 0.0, 1.0], [0.45, 0.0, 1.0, 1.0]]
+    weighed = setup._replace(axle_load=np.array([1e5, 2e5]))
+    assert ctl.setup_array(weighed)[:, ctl.AXLE_LOAD].tolist() == [1e5, 2e5]
     measured = ctl.Measured(
         np.array([20.0, 19.0]), np.array([1e5, 2e5]), np.zeros(2), 0.5, 1.0, 0.7
     )

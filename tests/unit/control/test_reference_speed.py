@@ -103,7 +103,7 @@ def test_an_axle_is_freed_after_a_while_without_witness_and_no_longer_than_allow
     allowed = parameters.drift_share * parameters.slip_lower * 40.0 / parameters.drift_rate
     freed = []
     for _ in range(1500):
-        free_an_axle(P, state, 2, False, DT)
+        free_an_axle(P, state, 2, False, 0.08, DT)
         freed.append(state[st.FREED_AXLE])
     begin = freed.index(3.0)
     end = freed.index(0.0, begin)
@@ -114,7 +114,7 @@ def test_an_axle_is_freed_after_a_while_without_witness_and_no_longer_than_allow
 def test_no_axle_is_freed_beside_witnesses():
     state = train()
     for _ in range(5_000):
-        free_an_axle(P, state, 2, True, DT)
+        free_an_axle(P, state, 2, True, 0.08, DT)
     assert state[st.FREED_AXLE] == 0.0
 
 

@@ -1,0 +1,157 @@
+"""The ordinary WSP with a range of slip of its own for each axle: macro or micro.
+
+The parts are those of `conventional_wsp`; only the two thresholds differ from axle to axle. With
+all axles in macro-slip it commands, bit for bit, what the conventional WSP commands.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+from railgrip.control.axle_protection import protect_axle
+from railgrip.control.contract import (
+    MICRO,
+    MIDDLE,
+    REFERENCE_SPEED,
+    SLIP_RANGE,
+    FloatArray,
+)
+from railgrip.control.conventional_parameters import (
+    SLIP_LOWER,
+    SLIP_SPEED_LOWER_FLOOR,
+    SLIP_SPEED_UPPER_FLOOR,
+    SLIP_UPPER,
+    ConventionalParameters,
+)
+from railgrip.control.conventional_state import REFERENCE, state_size
+from railgrip.control.diameter_compensation import learn_diameters
+from railgrip.control.slip_band import threshold
+from railgrip.control.train_observer import observe_train
+from railgrip.core.errors import Problem, RailgripError
+
+
+class RangeBands(NamedTuple):
+    """Bands of the lower ranges; that of the macro range is the ordinary WSP's own, SI.
+
+    Parameters
+    ----------
+    micro_lower, micro_upper : float
+        Slip below which the brake fills again and above which it vents in micro-slip, share of the
+        reference speed (trial).
+    middle_lower, middle_upper : float
+        The same in the range between, for axles of which it is not yet decided (study).
+    """
+
+    micro_lower: float = 0.008
+    micro_upper: float = 0.02
+    middle_lower: float = 0.04
+    middle_upper: float = 0.08
+
+
+N_CONVENTIONAL: Final = len(ConventionalParameters._fields)
+MICRO_LOWER: Final = N_CONVENTIONAL
+MICRO_UPPER: Final = N_CONVENTIONAL + 1
+MIDDLE_LOWER: Final = N_CONVENTIONAL + 2
+MIDDLE_UPPER: Final = N_CONVENTIONAL + 3
+N_RANGED: Final = N_CONVENTIONAL + len(RangeBands._fields)
+"""Where the parameters of a controller that builds on this one begin."""
+
+
+def range_place(axle: int, n_axles: int) -> int:
+    """Return where the range of an axle stands in the state, behind the ordinary WSP's.
+
+    Examples
+    --------
+    >>> range_place(0, 16), range_place(3, 16)
+    (252, 255)
+    """
+    return state_size(n_axles) + axle
+
+
+def ranged_state_size(n_axles: int) -> int:
+    """Return the length of the state: the ordinary WSP's, and one range for each axle.
+
+    Examples
+    --------
+    >>> ranged_state_size(16)
+    268
+    """
+    return state_size(n_axles) + n_axles
+
+
+def observe_in_ranges(
+    parameters: FloatArray,
+    axle_setup: FloatArray,
+    state: FloatArray,
+    measured: FloatArray,
+    dt: float,
+) -> None:
+    """Update wheels and reference speed, as exactly as the narrowest range in use needs."""
+    n_axles = measured.shape[0]
+    slip_lower = parameters[SLIP_LOWER]
+    for axle in range(n_axles):
+        slip_range = state[range_place(axle, n_axles)]
+        if slip_range == MICRO:
+            slip_lower = min(slip_lower, parameters[MICRO_LOWER])
+        elif slip_range == MIDDLE:
+            slip_lower = min(slip_lower, parameters[MIDDLE_LOWER])
+    observe_train(parameters, axle_setup, state, measured, slip_lower, dt)
+    learn_diameters(parameters, state, measured, dt)
+
+
+def protect_in_ranges(
+    parameters: FloatArray,
+    axle_setup: FloatArray,
+    state: FloatArray,
+    measured: FloatArray,
+    command: FloatArray,
+    dt: float,
+) -> None:
+    """Write the command of every axle, each by the thresholds of its own range."""
+    n_axles = measured.shape[0]
+    reference = state[REFERENCE]
+    lower_floor = parameters[SLIP_SPEED_LOWER_FLOOR]
+    upper_floor = parameters[SLIP_SPEED_UPPER_FLOOR]
+    macro_lower = threshold(parameters[SLIP_LOWER], lower_floor, reference)
+    macro_upper = threshold(parameters[SLIP_UPPER], upper_floor, reference)
+    micro_lower = threshold(parameters[MICRO_LOWER], lower_floor, reference)
+    micro_upper = threshold(parameters[MICRO_UPPER], upper_floor, reference)
+    middle_lower = threshold(parameters[MIDDLE_LOWER], lower_floor, reference)
+    middle_upper = threshold(parameters[MIDDLE_UPPER], upper_floor, reference)
+    for axle in range(n_axles):
+        slip_range = state[range_place(axle, n_axles)]
+        lower = macro_lower
+        upper = macro_upper
+        if slip_range == MICRO:
+            lower = micro_lower
+            upper = micro_upper
+        elif slip_range == MIDDLE:
+            lower = middle_lower
+            upper = middle_upper
+        protect_axle(parameters, axle_setup, state, measured, command, axle, lower, upper, dt)
+        command[axle, REFERENCE_SPEED] = reference
+        command[axle, SLIP_RANGE] = slip_range
+
+
+def check_bands(parameters: ConventionalParameters, lower: RangeBands) -> None:
+    """Refuse thresholds that contradict each other.
+
+    Raises
+    ------
+    RailgripError
+        "slip_lower: must lie between 0 and slip_upper ...", the same for the other ranges.
+    """
+    bands = (
+        ("slip", parameters.slip_lower, parameters.slip_upper),
+        ("micro", lower.micro_lower, lower.micro_upper),
+        ("middle", lower.middle_lower, lower.middle_upper),
+    )
+    for name, least, greatest in bands:
+        if not 0.0 < least < greatest < 1.0:
+            raise RailgripError(
+                Problem(
+                    f"{name}_lower",
+                    f"must lie between 0 and {name}_upper, and that below 1",
+                    got=f"{least:g} and {greatest:g}",
+                )
+            )
