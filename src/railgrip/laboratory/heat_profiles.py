@@ -16,6 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipe, ellipkm1, hyp2f1
 
 from railgrip.core.errors import Problem, RailgripError
+from railgrip.laboratory.heat_inputs import rising
+from railgrip.laboratory.inputs import as_floats
 
 Array = NDArray[np.float64]
 
@@ -128,11 +130,7 @@ def strip_profile(places: ArrayLike, flux: ArrayLike) -> Array:
     >>> strip_profile(x, np.ones(5))[-1].round(6).tolist()
     2.828427
     """
-    x, q = np.asarray(places, float), np.asarray(flux, float)
-    if x.ndim != 1 or x.size < 2 or not np.all(np.diff(x) > 0.0):
-        raise RailgripError(
-            Problem("places", "the places must rise", cure="sort them, two or more")
-        )
+    x, q = rising("places", places), as_floats("heat flux", flux)
     if q.shape[-1:] != x.shape or not np.all(np.isfinite(q)):
         raise RailgripError(
             Problem("flux", "one heat flux for each place is needed", got=f"shape {q.shape}")
@@ -143,11 +141,11 @@ def strip_profile(places: ArrayLike, flux: ArrayLike) -> Array:
     length = np.diff(x)
     plain = 2.0 * (root[:, :-1] - root[:, 1:])
     cubed = (lag * root)[:, :-1] - (lag * root)[:, 1:]
-    rising = (lag[:, :-1] * plain - cubed / 1.5) / length
-    rising = np.where(lag[:, :-1] > 0.0, rising, 0.0)
+    sloped = (lag[:, :-1] * plain - cubed / 1.5) / length
+    sloped = np.where(lag[:, :-1] > 0.0, sloped, 0.0)
     weights = np.zeros((x.size, x.size))
-    weights[:, :-1] += plain - rising
-    weights[:, 1:] += rising
+    weights[:, :-1] += plain - sloped
+    weights[:, 1:] += sloped
     return np.asarray(q @ weights.T)
 
 

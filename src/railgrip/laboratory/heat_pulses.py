@@ -13,6 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from railgrip.core.errors import Problem, RailgripError
+from railgrip.laboratory.heat_inputs import course, one_number, rising
+from railgrip.laboratory.inputs import as_floats
 
 Array = NDArray[np.float64]
 
@@ -43,7 +45,7 @@ class HeatPulses:
 
     def __post_init__(self) -> None:
         for name in ("start", "duration", "flux"):
-            values = np.atleast_1d(np.asarray(getattr(self, name), float))
+            values = np.atleast_1d(as_floats(name, getattr(self, name)))
             object.__setattr__(self, name, values)
             if not np.all(np.isfinite(values)):
                 raise RailgripError(Problem(name, "a pulse is not a finite number"))
@@ -79,9 +81,10 @@ def wheel_pulses(
 
     Parameters
     ----------
-    time, wheel_speed, wheel_power : array_like, shape (n,)
-        Course of the stop: time [s], speed at the tread ≥ 0 [m/s], friction power into this wheel
-        (its share) [W]. The point is in the contact at the first time.
+    time : array_like, shape (n,)
+        Rising; the point comes into the contact at the first [s].
+    wheel_speed, wheel_power : array_like, shape (n,) or scalar
+        Speed at the tread [m/s] and friction power into this wheel, its share [W], both ≥ 0.
     circumference : float
         U = 2πr, > length [m].
     length, width : float
@@ -90,12 +93,14 @@ def wheel_pulses(
     Returns
     -------
     HeatPulses
-        Flux P/(l·b), duration l/v; one a revolution until the wheel stands or the course ends.
+        Flux P/(l·b), duration l/v; one a revolution until the wheel stands or the course ends. A
+        pulse in which the course ends lasts as long as at its first speed.
 
     Raises
     ------
     RailgripError
-        "the time must rise", "the wheel does not turn" and those of `HeatPulses`.
+        "the time must rise", "the wheel does not turn", "the patch does not fit the wheel", and
+        "must be zero or more, and finite" and the like with the name in front.
 
     Notes
     -----
@@ -108,22 +113,27 @@ def wheel_pulses(
     >>> pulses.start.round(3).tolist(), (1e3 * pulses.duration).round(3).tolist()
     ([0.0, 0.1, 0.2, 0.3], [0.4, 0.4, 0.4, 0.4])
     """
-    t, v, power = (np.asarray(each, float) for each in (time, wheel_speed, wheel_power))
-    if t.ndim != 1 or t.size < 2 or not np.all(np.diff(t) > 0.0):
-        raise RailgripError(Problem("time", "the time must rise", cure="two or more times"))
-    if not 0.0 < length < circumference or not width > 0.0:
-        got = f"length {length} m, width {width} m, circumference {circumference} m"
+    t = rising("time", time)
+    v = course("wheel_speed", wheel_speed, t.size, least=0.0)
+    power = course("wheel_power", wheel_power, t.size, least=0.0)
+    _refuse_bad_patch(length, width)
+    one_number("circumference", circumference, "m", least=0.0, is_above=True)
+    if not length < circumference:
+        got = f"length {length} m, circumference {circumference} m"
         raise RailgripError(Problem("length", "the patch does not fit the wheel", got=got))
     way = np.concatenate([[0.0], np.cumsum(0.5 * (v[1:] + v[:-1]) * np.diff(t))])
-    if v.min() < 0.0 or not way[-1] > 0.0:
-        raise RailgripError(Problem("wheel_speed", "the wheel does not turn, or turns backwards"))
+    if not way[-1] > 0.0:
+        raise RailgripError(Problem("wheel_speed", "the wheel does not turn"))
     turns = np.arange(math.floor(way[-1] / circumference * (1.0 + 1e-12)) + 1) * circumference
     # where the wheel stands the way does not grow, and its inverse takes the first such time
     _, first = np.unique(way, return_index=True)
     start = np.interp(turns, way[first], t[first])
     end = np.interp(turns + length, way[first], t[first])
-    duration = np.where(turns + length <= way[-1], end - start, length / np.interp(start, t, v))
-    return HeatPulses(start, duration, np.interp(start, t, power) / (length * width))
+    leaves, begun = turns + length <= way[-1], np.interp(start, t, v)
+    is_heated = leaves | (begun > 0.0)
+    duration = np.where(leaves, end - start, length / np.where(begun > 0.0, begun, 1.0))
+    flux = np.interp(start, t, power) / (length * width)
+    return HeatPulses(start[is_heated], duration[is_heated], flux[is_heated])
 
 
 def rail_pulses(
@@ -138,23 +148,24 @@ def rail_pulses(
     Parameters
     ----------
     wheel_places : array_like, shape (n,)
-        Distance of each wheel behind the first, rising from 0 [m].
+        Distance of each wheel behind the first, rising from 0; the patches must not overlap [m].
     train_speed : float
         > 0, constant while the train passes [m/s].
     rail_powers : array_like, shape (n,) or scalar
-        Friction power of each wheel that goes into the rail [W].
+        Friction power of each wheel that goes into the rail, ≥ 0 [W].
     length, width : float
         Of the patch, > 0 [m].
 
     Returns
     -------
     HeatPulses
-        One a wheel, the first at time 0.
+        One a wheel, in their order.
 
     Raises
     ------
     RailgripError
-        "the train does not move" and those of `HeatPulses`.
+        "the train does not move", "one value for each wheel, or one for all", and those of
+        `HeatPulses`.
 
     Examples
     --------
@@ -162,12 +173,14 @@ def rail_pulses(
     >>> pulses.start.tolist()
     [0.0, 0.1, 0.76, 0.86]
     """
-    if not 0.0 < train_speed < math.inf:
-        raise RailgripError(
-            Problem("train_speed", "the train does not move", got=f"{train_speed} m/s")
-        )
-    if not (length > 0.0 and width > 0.0):
-        raise RailgripError(Problem("length", "the patch must have length and width"))
-    start = np.asarray(wheel_places, float) / train_speed
-    flux = np.broadcast_to(np.asarray(rail_powers, float) / (length * width), start.shape)
-    return HeatPulses(start, np.full(start.shape, length / train_speed), flux.copy())
+    if one_number("train_speed", train_speed, "m/s", least=0.0) == 0.0:
+        raise RailgripError(Problem("train_speed", "the train does not move"))
+    _refuse_bad_patch(length, width)
+    start = np.atleast_1d(as_floats("wheel places", wheel_places)) / train_speed
+    powers = course("rail_powers", rail_powers, start.size, of="wheel", least=0.0)
+    return HeatPulses(start, np.full(start.shape, length / train_speed), powers / (length * width))
+
+
+def _refuse_bad_patch(length: float, width: float) -> None:
+    one_number("length", length, "m", least=0.0, is_above=True)
+    one_number("width", width, "m", least=0.0, is_above=True)

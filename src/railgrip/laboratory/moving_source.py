@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.core.formulas.flash_temperature import ThermalMaterial
+from railgrip.core.formulas.flash_temperature import ThermalMaterial, thermal_material
+from railgrip.laboratory.heat_inputs import one_number
+from railgrip.laboratory.inputs import as_floats, common_shape, refuse_bad_values
 
 Array = NDArray[np.float64]
 
@@ -64,7 +66,8 @@ def semi_elliptic_rise(
     Raises
     ------
     RailgripError
-        "the surface is too fast for the exact solution" (Peclet number over 1000).
+        "the surface is too fast for the exact solution" (Peclet number over 1000), and "must be
+        positive and finite" and the like with the name in front.
 
     Notes
     -----
@@ -87,6 +90,15 @@ def semi_elliptic_rise(
     >>> float(semi_elliptic_rise(STEEL_ERTZ_2002, 6e-3, 6e-3, 0.0, 1e6, 0.0).round(4))
     94.2478
     """
+    thermal_material(*material)
+    one_number("a", a, "m", least=0.0, is_above=True)
+    one_number("b", b, "m", least=0.0, is_above=True)
+    one_number("speed", speed, "m/s", least=0.0)
+    one_number("heat_flux", heat_flux, "W/m²")
+    along, beside = as_floats("places along", x), as_floats("places beside", y)
+    common_shape({"x": along, "y": beside})
+    for name, column in (("places along", along), ("places beside", beside)):
+        refuse_bad_values(name, column, "m", positive=False)
     rate = peclet(material, a, speed)
     if not rate <= GREATEST_PECLET:
         raise RailgripError(
@@ -98,7 +110,7 @@ def semi_elliptic_rise(
                 cure="railgrip.laboratory.contact_temperature",
             )
         )
-    places = np.broadcast_arrays(np.asarray(x, float) / a, np.asarray(y, float) / b)
+    places = np.broadcast_arrays(along / a, beside / b)
     flat = np.column_stack([place.ravel() for place in places])
     rises = np.array([_at_point(px, py, b / a, rate) for px, py in flat])
     return np.asarray(a * heat_flux / material.conductivity * rises.reshape(places[0].shape))

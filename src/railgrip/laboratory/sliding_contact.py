@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.formulas import rail_chill
 from railgrip.core.formulas.flash_temperature import (
     STEEL_ERTZ_2002,
@@ -14,7 +13,9 @@ from railgrip.core.formulas.flash_temperature import (
     flash_conductance,
     flash_temperature,
     friction_power,
+    thermal_material,
 )
+from railgrip.laboratory.heat_inputs import one_number
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,7 @@ class SlidingContact:
     ------
     RailgripError
         "must be positive and finite", "must be zero or more, and finite" or "must be a finite
-        number", with the name in front.
+        number", with the name in front; those of `thermal_material`.
 
     Examples
     --------
@@ -61,15 +62,20 @@ class SlidingContact:
     rail: ThermalMaterial = STEEL_ERTZ_2002
 
     def __post_init__(self) -> None:
-        for name, unit in (("load", "N"), ("a", "m"), ("b", "m")):
-            if not 0.0 < getattr(self, name) < math.inf:
-                raise _refusal(name, "must be positive and finite", getattr(self, name), unit)
-        for name, unit in (("friction", ""), ("wheel_speed", "m/s"), ("train_speed", "m/s")):
-            if not 0.0 <= getattr(self, name) < math.inf:
-                raise _refusal(name, "must be zero or more, and finite", getattr(self, name), unit)
-        for name in ("wheel_temperature", "rail_temperature"):
-            if not math.isfinite(getattr(self, name)):
-                raise _refusal(name, "must be a finite number", getattr(self, name), "°C")
+        for name, unit, least, is_above in (
+            ("load", "N", 0.0, True),
+            ("a", "m", 0.0, True),
+            ("b", "m", 0.0, True),
+            ("friction", "", 0.0, False),
+            ("wheel_speed", "m/s", 0.0, False),
+            ("train_speed", "m/s", 0.0, False),
+            ("wheel_temperature", "°C", -math.inf, False),
+            ("rail_temperature", "°C", -math.inf, False),
+        ):
+            number = one_number(name, getattr(self, name), unit, least=least, is_above=is_above)
+            object.__setattr__(self, name, number)
+        thermal_material(*self.wheel)
+        thermal_material(*self.rail)
 
     @property
     def power(self) -> float:
@@ -94,7 +100,3 @@ class SlidingContact:
         return rail_chill.contact_temperature(
             wheel, rail, self.wheel_temperature, self.rail_temperature
         )
-
-
-def _refusal(name: str, what: str, value: float, unit: str) -> RailgripError:
-    return RailgripError(Problem(name, what, got=f"{value} {unit}".strip()))

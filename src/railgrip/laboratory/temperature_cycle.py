@@ -11,8 +11,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from railgrip.core.errors import Problem, RailgripError
+from railgrip.laboratory.heat_inputs import one_number
 from railgrip.laboratory.heat_pulses import HeatPulses
+from railgrip.laboratory.inputs import as_floats, refuse_bad_values
 
 Array = NDArray[np.float64]
 
@@ -40,7 +41,7 @@ def pulse_rises(pulses: HeatPulses, effusivity: float, times: ArrayLike) -> Arra
     Raises
     ------
     RailgripError
-        "the effusivity must be positive".
+        "effusivity: must be positive and finite" or "the time must be finite".
 
     Notes
     -----
@@ -52,7 +53,8 @@ def pulse_rises(pulses: HeatPulses, effusivity: float, times: ArrayLike) -> Arra
     side of the rim: the growing mean is then too large, see `railgrip.laboratory.wheel_bulk`.
     The single tooth lasts some ms and stays right.
 
-    Checked by tests/reference/temperature_cycle against the plain sum, and by a numerical march.
+    Checked by tests/reference/temperature_cycle against the plain sum, and against a numerical
+    march in depth.
 
     Examples
     --------
@@ -60,11 +62,11 @@ def pulse_rises(pulses: HeatPulses, effusivity: float, times: ArrayLike) -> Arra
     >>> pulse_rises(once, 13290.0, [1e-3, 4e-3]).round(3).tolist()
     [268.491, 71.942]
     """
-    if not 0.0 < effusivity < math.inf:
-        raise RailgripError(
-            Problem("effusivity", "the effusivity must be positive", got=f"{effusivity}")
-        )
-    t = np.atleast_1d(np.asarray(times, float))
+    beta = one_number("effusivity", effusivity, "W√s/(m²K)", least=0.0, is_above=True)
+    t = np.atleast_1d(as_floats("time", times))
+    refuse_bad_values("time", t, "s", positive=False)
+    if not pulses.start.size:
+        return np.zeros(t.shape)
     last = np.searchsorted(pulses.start, t, side="right") - 1
     rise = np.zeros(t.shape)
     for back in (0, 1):
@@ -75,12 +77,12 @@ def pulse_rises(pulses: HeatPulses, effusivity: float, times: ArrayLike) -> Arra
         roots -= np.sqrt(np.maximum(t - pulses.end[n], 0.0))
         rise += np.where(is_there, 2.0 * pulses.flux[n] * roots, 0.0)
     rise += _history(pulses, t, last - 1)
-    return rise / (effusivity * math.sqrt(math.pi))
+    return rise / (beta * math.sqrt(math.pi))
 
 
 def _history(pulses: HeatPulses, t: Array, before: NDArray[np.intp]) -> Array:
     """Σ q ∫ (t − t')^(−1/2) dt' over all pulses whose number is below `before`."""
-    if pulses.start.size < 3 or before.max() < 1:
+    if not np.any(before >= 1):
         return np.zeros(t.shape)
     steps = np.diff(pulses.start)
     longest = max(float(t.max()), float(pulses.end[-1])) - float(pulses.start[0])

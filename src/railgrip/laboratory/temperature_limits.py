@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from railgrip.core.errors import Problem, RailgripError
+from railgrip.laboratory.heat_inputs import one_number
 
 
 class TemperatureLimit(NamedTuple):
@@ -97,7 +98,7 @@ def passed_limits(
     Raises
     ------
     RailgripError
-        "the temperature is not a number" or "the limit is not a number".
+        "temperature: must be a finite number" or "the limit is not a number".
 
     References
     ----------
@@ -112,8 +113,7 @@ def passed_limits(
     softening 260
     eutectoid A1 37
     """
-    if math.isnan(temperature):
-        raise RailgripError(Problem("temperature", "the temperature is not a number"))
+    one_number("temperature", temperature, "°C")
     known = sorted(limits, key=lambda limit: limit.temperature)
     for limit in known:
         if math.isnan(limit.temperature):

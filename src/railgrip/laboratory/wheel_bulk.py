@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +14,8 @@ from railgrip.core.formulas.wheel_heat import (
     wheel_heat_flows,
     wheel_heat_rates,
 )
+from railgrip.laboratory.heat_inputs import course, one_number, rising
+from railgrip.laboratory.inputs import as_floats, refuse_bad_values
 
 Array = NDArray[np.float64]
 
@@ -88,7 +89,8 @@ def wheel_bulk(
     Raises
     ------
     RailgripError
-        "the time must rise", "must be zero or more, and finite" or "must be positive".
+        "the time must rise", "one value for each time, or one for all", "must be zero or more, and
+        finite" and the like with the name in front.
 
     Notes
     -----
@@ -111,10 +113,9 @@ def wheel_bulk(
     >>> course.rim.round(2).tolist()
     [20.0, 25.11, 29.93]
     """
-    t = np.asarray(time, float)
-    if t.ndim != 1 or t.size < 2 or not np.all(np.diff(t) > 0.0):
-        raise RailgripError(Problem("time", "the time must rise", cure="two or more times"))
+    t = rising("time", time)
     _refuse_bad_wheel(wheel)
+    one_number("rail_temperature", rail_temperature, "°C")
     inputs = {
         "contact_heat": contact_heat,
         "tread_brake_heat": tread_brake_heat,
@@ -123,7 +124,7 @@ def wheel_bulk(
     }
     middles = [_middles(name, values, t.size) for name, values in inputs.items()]
     temperatures = np.empty((t.size, 2))
-    temperatures[0] = start
+    temperatures[0] = _begin(start)
     energies = np.zeros(4)
     for k, step in enumerate(np.diff(t)):
         now = tuple(float(values[k]) for values in middles)
@@ -169,19 +170,27 @@ def _implicit_half_step(
 
 
 def _middles(name: str, values: ArrayLike, count: int) -> Array:
-    given = np.asarray(values, float)
-    if given.shape not in ((), (count,)):
-        raise RailgripError(
-            Problem(name, "one value for each time, or one for all", got=f"shape {given.shape}")
-        )
-    if not (np.all(given >= 0.0) and np.all(np.isfinite(given))):
-        raise RailgripError(Problem(name, "must be zero or more, and finite"))
-    course = np.broadcast_to(given, (count,))
-    return np.asarray(0.5 * (course[1:] + course[:-1]))
+    whole = course(name, values, count, least=0.0)
+    return np.asarray(0.5 * (whole[1:] + whole[:-1]))
+
+
+def _begin(start: ArrayLike) -> Array:
+    given = as_floats("start", start)
+    if given.shape not in ((), (2,)):
+        what = "one temperature for the wheel, or one for the rim and one for the web"
+        raise RailgripError(Problem("start", what, got=f"shape {given.shape}"))
+    refuse_bad_values("start", given, "°C", positive=False)
+    return given
 
 
 def _refuse_bad_wheel(wheel: WheelHeat) -> None:
-    for name in ("rim_mass", "web_mass", "specific_heat"):
-        value = getattr(wheel, name)
-        if not 0.0 < value < math.inf:
-            raise RailgripError(Problem(f"wheel.{name}", "must be positive", got=f"{value}"))
+    for name, unit, is_above in (
+        ("rim_mass", "kg", True),
+        ("web_mass", "kg", True),
+        ("specific_heat", "J/(kg K)", True),
+        ("conductance", "W/K", False),
+        ("rim_surface", "m²", False),
+        ("web_surface", "m²", False),
+    ):
+        one_number(f"wheel.{name}", getattr(wheel, name), unit, least=0.0, is_above=is_above)
+    one_number("wheel.ambient", wheel.ambient, "°C")

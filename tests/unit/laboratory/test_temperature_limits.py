@@ -29,7 +29,7 @@ def test_own_limits_replace_them() -> None:
 
 @pytest.mark.parametrize("temperature", [math.nan])
 def test_no_number_is_refused(temperature: float) -> None:
-    with pytest.raises(RailgripError, match="the temperature is not a number"):
+    with pytest.raises(RailgripError, match="temperature: must be a finite number"):
         passed_limits(temperature)
     with pytest.raises(RailgripError, match="limit 'odd': the limit is not a number"):
         passed_limits(20.0, [TemperatureLimit("odd", math.nan, "", "")])

@@ -163,10 +163,10 @@ def flash_conductance(material: ThermalMaterial, a: float, b: float, speed: floa
         G_still = (8/3) λ m;      fast: ΔT = 1.234620 q0 √(a/v)/β,  G_fast = 1.696389 β b √(a v).
 
     Greenwood joins the two by 1/ΔT² = 1/ΔT_still² + 1/ΔT_fast², that is G² = G_still² + G_fast²:
-    nothing is divided by the speed. Against the exact half-space solution the rise is within 1 %
-    for b = a at every speed; at a Peclet number v a/(2κ) about 3 (1 to 3 cm/s) it is 7 % too large
-    for b = a/2, 5 % too small for b = 2a, 22 % too large for b = a/5; above 0.5 m/s within 1 % for
-    b ≥ a/2.
+    nothing is divided by the speed. Against the exact half-space solution the rise is within 1.2 %
+    for b = a at every speed; at a Peclet number v a/(2κ) of 1 to 3 (1 to 3 cm/s) it is up to 7.5 %
+    too large for b = a/2 and 5 % too small for b = 2a, at 10 up to 23 % too large for b = a/5;
+    above 0.5 m/s within 1 % for b ≥ a/2.
     Known wrong when a locked wheel has slid for less than a few seconds: a body at rest needs
     about a²/κ (2.5 s for 6 mm) to reach its steady rise, and takes more heat before.
 
