@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from railgrip.core.formulas.flash_temperature import (
     STEEL_ERTZ_2002,
     ThermalMaterial,
+    effusivity,
     flash_conductance,
     flash_temperature,
     friction_power,
@@ -111,3 +112,45 @@ def test_any_distribution_gives_hertz_again() -> None:
     expected = surface_temperatures(contact, x)
     assert wheel == pytest.approx(expected.wheel - 20.0, abs=2e-3 * expected.wheel.max())
     assert rail == pytest.approx(expected.rail - 20.0, abs=2e-3 * expected.rail.max())
+
+
+@settings(max_examples=20, deadline=None)
+@given(wheel=st.floats(5.0, 60.0), rail=st.floats(5.0, 60.0))
+def test_the_heat_both_surfaces_carry_away_is_the_friction_power(wheel: float, rail: float) -> None:
+    """Long after a heat E per area has gone in, a surface shows E/(β√(πt)): read E from there."""
+    contact = SlidingContact(100e3, 5.88e-3, 10.54e-3, 0.3, wheel, rail)
+    far = 1e4 * contact.a
+    angle = (np.arange(200) + 0.5) * np.pi / 200
+    found = surface_temperatures(contact, far, contact.b * np.cos(angle))
+    across = contact.b * np.sin(angle) * np.pi / 200
+    carried = [
+        speed * effusivity(STEEL_ERTZ_2002) * np.sqrt(np.pi * far / speed) * (rise @ across)
+        for speed, rise in ((wheel, found.wheel - 20.0), (rail, found.rail - 20.0))
+    ]
+    assert sum(carried) == pytest.approx(contact.power, rel=2e-3)
+    assert carried[0] == pytest.approx(contact.flash().wheel_share * contact.power, rel=2e-3)
+
+
+@settings(max_examples=20, deadline=None)
+@given(a=AXES, b=AXES, rail=st.floats(1.0, 60.0))
+def test_far_from_a_locked_wheel_its_heat_is_that_of_a_point(
+    a: float, b: float, rail: float
+) -> None:
+    """The wheel's share P enters at one place for r ≫ a: ΔT = P/(2πλr)."""
+    contact = SlidingContact(100e3, a, b, 0.3, 0.0, rail)
+    away = 30.0 * max(a, b)
+    rise = float(surface_temperatures(contact, away).wheel) - 20.0
+    heat = 2.0 * np.pi * STEEL_ERTZ_2002.conductivity * away * rise
+    assert heat == pytest.approx(contact.flash().wheel_share * contact.power, rel=2e-3)
+
+
+@settings(max_examples=10, deadline=None)
+@given(friction=st.floats(0.01, 0.5), more=st.floats(1.0, 3.0), wheel=st.floats(0.0, 29.0))
+def test_more_friction_is_hotter_everywhere(friction: float, more: float, wheel: float) -> None:
+    x = np.linspace(-1.0, 2.0, 7) * 5.88e-3
+    less, greater = (
+        surface_temperatures(SlidingContact(100e3, 5.88e-3, 10.54e-3, each, wheel, 30.0), x)
+        for each in (friction, friction * more)
+    )
+    assert (greater.wheel >= less.wheel - 1e-9).all()
+    assert (greater.rail >= less.rail - 1e-9).all()

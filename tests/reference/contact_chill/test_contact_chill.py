@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy.linalg import solve_banded
+from tests.reference.contact_chill.elements import held_patch
 
 from railgrip.core.formulas.flash_temperature import STEEL_ERTZ_2002
 from railgrip.core.formulas.rail_chill import (
@@ -14,6 +15,7 @@ from railgrip.core.formulas.rail_chill import (
     touch_conductance,
 )
 from railgrip.laboratory.contact_temperature import surface_temperatures
+from railgrip.laboratory.moving_source import peclet
 from railgrip.laboratory.sliding_contact import SlidingContact
 
 A, B, SPEED = 5.88e-3, 10.54e-3, 30.0
@@ -82,3 +84,41 @@ def test_the_return_agrees_with_two_half_spaces_marched_in_time(lengths: float) 
     touching = 2.0 * A / SPEED
     found = surface_temperatures(rolling(), A + lengths * 2.0 * A).rail
     assert marched(touching, lengths * touching) == pytest.approx(float(found), abs=0.005 * 75.0)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "rate", "least", "most"),
+    [
+        (0.5, 0.0, -0.001, 0.001),
+        (1.0, 0.0, -0.001, 0.001),
+        (2.0, 0.0, -0.001, 0.001),
+        (0.5, 3.0, -0.122, -0.117),
+        (1.0, 3.0, -0.056, -0.051),
+        (2.0, 3.0, -0.018, -0.013),
+        (0.5, 30.0, -0.062, -0.055),
+        (1.0, 30.0, -0.023, -0.016),
+        (2.0, 30.0, -0.008, -0.002),
+    ],
+)
+def test_the_joint_is_too_small_by_what_is_stated(
+    ratio: float, rate: float, least: float, most: float
+) -> None:
+    """Elements of first order, from two meshes; at rest they meet the closed form to 1e-3."""
+    coarse, fine = (held_patch(ratio, rate, n).conductance(ratio) for n in (16, 32))
+    elements = STEEL_ERTZ_2002.conductivity * A * (2.0 * fine - coarse)
+    speed = rate / peclet(STEEL_ERTZ_2002, A, 1.0)
+    joint = touch_conductance(STEEL_ERTZ_2002, A, ratio * A, speed)
+    assert least < joint / elements - 1.0 < most
+
+
+@pytest.mark.parametrize("rate", [0.3, 1.0, 3.0, 10.0, 30.0])
+def test_around_a_slow_patch_the_surface_follows_as_stated(rate: float) -> None:
+    speed = rate / peclet(STEEL_ERTZ_2002, A, 1.0)
+    slow = SlidingContact(100e3, A, B, 0.0, speed, SPEED, 0.0, 100.0)
+    elements = held_patch(B / A, rate, 32)
+    touch = slow.touch_temperature()
+    places = np.array([-1.5, 1.5, 2.0])
+    found = surface_temperatures(slow, places * A).wheel / touch
+    ahead, *behind = found - [elements.rise(x) for x in places]
+    assert -0.01 < ahead < 0.13
+    assert np.abs(behind).max() < 0.04

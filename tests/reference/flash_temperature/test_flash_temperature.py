@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import csv
 import math
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 from scipy.optimize import minimize_scalar
+from tests.reference.depth_march import march
 
 from railgrip.core.formulas.flash_temperature import (
     FASTEST_RISE,
@@ -57,6 +60,44 @@ def test_where_and_how_hot_it_gets(profile: object, place: float, greatest: floa
     )  # fmt: skip
     assert -found.fun == pytest.approx(greatest, rel=1e-5)
     assert found.x == pytest.approx(place, abs=1e-4)
+
+
+@pytest.mark.parametrize("place", [-0.7, 0.0, 0.5, 0.99, 1.3, 4.0])
+@pytest.mark.parametrize(
+    ("profile", "flux"),
+    [
+        (uniform_profile, lambda x: 1.0),
+        (parabolic_profile, lambda x: 1.0 - x * x),
+        (semi_elliptic_profile, lambda x: math.sqrt(max(1.0 - x * x, 0.0))),
+    ],
+)
+def test_the_closed_forms_are_the_integral(
+    profile: Callable[[float], float], flux: Callable[[float], float], place: float
+) -> None:
+    """With s = √(x − x') nothing is singular at the place itself."""
+    start, end = math.sqrt(max(place - 1.0, 0.0)), math.sqrt(place + 1.0)
+    integral, _ = quad(lambda s: 2.0 * flux(place - s * s), start, end, epsabs=1e-12)
+    assert float(profile(place)) == pytest.approx(integral, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("profile", "flux"),
+    [
+        (parabolic_profile, lambda x: np.maximum(1.0 - x * x, 0.0)),
+        (semi_elliptic_profile, lambda x: np.sqrt(np.maximum(1.0 - x * x, 0.0))),
+    ],
+)
+def test_the_profile_is_that_of_heat_marched_into_the_depth(
+    profile: Callable[[np.ndarray], np.ndarray], flux: Callable[[np.ndarray], np.ndarray]
+) -> None:
+    """A point of the surface on its way under the patch and behind it, layer by layer."""
+    places = np.linspace(-1.0, 3.0, 1601)
+    entering = 1e8 * flux(0.5 * (places[1:] + places[:-1]))
+    marched = march(STEEL_ERTZ_2002, (1.0 + places) * ERTZ["a"] / 30.0, entering)
+    scale = 1e8 * math.sqrt(ERTZ["a"] / (math.pi * 30.0)) / effusivity(STEEL_ERTZ_2002)
+    expected = scale * profile(places)
+    assert marched == pytest.approx(expected, abs=2e-3 * expected.max())
+    assert marched.max() == pytest.approx(expected.max(), rel=1e-4)
 
 
 def test_the_exit_of_a_semi_elliptic_source() -> None:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from tests.reference.depth_march import march
 
 from railgrip.core.formulas.flash_temperature import STEEL_ERTZ_2002, effusivity
 from railgrip.laboratory.heat_pulses import HeatPulses, rail_pulses, wheel_pulses
@@ -65,3 +66,21 @@ def test_a_rail_is_heated_once_per_wheel_and_cools_between() -> None:
     late = pulse_rises(pulses, BETA, [100.0])
     heat = float((pulses.flux * pulses.duration).sum())
     assert late[0] == pytest.approx(heat / (BETA * math.sqrt(math.pi * 99.5)), rel=1e-3)
+
+
+@pytest.mark.parametrize("body", ["wheel", "rail"])
+def test_the_peaks_and_valleys_are_those_of_heat_marched_into_the_depth(body: str) -> None:
+    """Six pulses, eighty steps in each and in each pause, those growing from the pulse on."""
+    if body == "wheel":
+        pulses = wheel_pulses([0.0, 0.5], 30.0, 15e3, 3.0, 12e-3, 20e-3)
+    else:
+        pulses = rail_pulses([0.0, 2.5, 19.0, 21.5, 26.0, 28.5], 25.0, 10e3, 12e-3, 20e-3)
+    part, count = np.linspace(0.0, 1.0, 81)[1:], pulses.start.size - 1
+    heated = pulses.start[:, None] + pulses.duration[:, None] * part
+    pauses = pulses.end[:-1, None] + (pulses.start[1:] - pulses.end[:-1])[:, None] * part**3
+    time = np.concatenate([[0.0], np.hstack([heated[:-1], pauses]).ravel()])
+    flux = np.hstack([np.repeat(pulses.flux[:-1, None], 80, axis=1), np.zeros((count, 80))])
+    marched = march(STEEL_ERTZ_2002, time, flux.ravel())
+    rises = pulse_rises(pulses, BETA, time)
+    # the ends of pulses, and of pauses; in between the implicit steps round the corners
+    assert marched[80::80] == pytest.approx(rises[80::80], abs=2e-3 * rises.max())

@@ -55,6 +55,12 @@ def test_the_step_is_of_second_order() -> None:
         ({"chill": [1.0, 2.0]}, "chill: one value for each time"),
         ({"film": math.nan}, "film: must be zero or more"),
         ({"wheel": ILLUSTRATIVE_WHEEL._replace(rim_mass=0.0)}, "wheel.rim_mass: must be positive"),
+        ({"wheel": ILLUSTRATIVE_WHEEL._replace(conductance=-1.0)}, "wheel.conductance: must be"),
+        ({"wheel": ILLUSTRATIVE_WHEEL._replace(ambient=math.nan)}, "wheel.ambient: must be a"),
+        ({"rail_temperature": math.inf}, "rail_temperature: must be a finite number"),
+        ({"start": (20.0, 30.0, 40.0)}, "start: one temperature for the wheel"),
+        ({"start": math.nan}, "the start must be finite; got nan °C"),
+        ({"chill": "cold"}, "the chill must be a number or an array of numbers; got 'cold'"),
     ],
 )
 def test_bad_numbers_get_a_sentence(changes: dict[str, Any], says: str) -> None:
