@@ -28,10 +28,10 @@ def test_contact_and_pause_make_one_revolution() -> None:
 @pytest.mark.parametrize("end", [10.0, 10.2, 25.0])
 def test_a_stop_to_a_stand_ends_with_its_last_revolution(end: float) -> None:
     """From 30 m/s in 10 s: 150 m are 50 turns of 3 m, and the wheel stands as the 51st begins."""
-    time = np.concatenate([np.linspace(0.0, 10.0, 2001), [end] if end > 10.0 else []])
+    time = np.array([0.0, 10.0] if end == 10.0 else [0.0, 10.0, end])
     speed = np.maximum(30.0 - 3.0 * time, 0.0)
     pulses = wheel_pulses(time, speed, 1e3 * speed, 3.0, **PATCH)
-    assert pulses.start.size in (50, 51)
+    assert pulses.start.size == 50
     assert np.isfinite(pulse_rises(pulses, 13290.0, time)).all()
     assert pulse_rises(pulses, 13290.0, time).min() >= 0.0
 
