@@ -18,7 +18,7 @@ from railgrip.core.formulas.flash_temperature import (
     flash_temperature,
 )
 from railgrip.laboratory.exact import solve_exact
-from railgrip.laboratory.inputs import FloatArray, as_floats, common_shape, refuse_bad_values
+from railgrip.laboratory.inputs import FloatArray, checked_points
 from railgrip.laboratory.laws_over_arrays import CreepForces, creep_forces, rescaled
 
 EXACT = "exact"
@@ -186,22 +186,12 @@ def compare_laws(
     for law in laws:
         if law not in law_names():
             raise RailgripError(unknown_name("laws", "law of rolling contact", law, law_names()))
-    given = {
-        "speed": speed,
-        "load": contact.load if load is None else load,
-        "longitudinal creepage": longitudinal,
-        "lateral creepage": lateral,
-        "spin": spin,
-    }
-    arrays = {name: np.atleast_1d(as_floats(name, value)) for name, value in given.items()}
-    for name, unit in (("speed", "m/s"), ("load", "N")):
-        refuse_bad_values(name, arrays[name], unit, positive=True)
-    for name, unit in (("longitudinal creepage", ""), ("lateral creepage", ""), ("spin", "1/m")):
-        refuse_bad_values(name, arrays[name], unit, positive=False)
-    shape = common_shape(arrays)
-    if len(shape) != 1:
-        raise RailgripError(Problem("", "the points must lie in one row", got=f"{shape}"))
-    points = [np.broadcast_to(array, shape).copy() for array in arrays.values()]
+    points = checked_points(
+        speed, contact.load if load is None else load, longitudinal, lateral, spin
+    )
+    if points[0].ndim > 1:
+        raise RailgripError(Problem("", "the points must lie in one row", got=f"{points[0].shape}"))
+    points = tuple(np.atleast_1d(column) for column in points)
     forces = {law: _forces(law, contact, rail, *points) for law in dict.fromkeys(laws)}
     speeds, loads, along, across, spins = points
     return LawComparison(contact, rail, speeds, loads, along, across, spins, forces)
