@@ -24,6 +24,7 @@ from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
 from railgrip.app.commands.run import run
 from railgrip.app.commands.schema import schema
+from railgrip.app.commands.tune import tune
 from railgrip.app.files import stop_when_asked
 from railgrip.app.screen import print_problems
 from railgrip.core.errors import Problem, RailgripError
@@ -41,7 +42,7 @@ app = App(
     default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
 )
-for command in (demo, run, compare, contact, check, new, schema):
+for command in (demo, run, compare, contact, check, tune, new, schema):
     app.command(command)
 app.command(list_names, name="list")
 
