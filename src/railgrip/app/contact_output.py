@@ -52,7 +52,8 @@ def show(computed: Computed) -> None:
     from railgrip.report import contact_tables as tables
 
     case, found, reference = computed.case, computed.found, computed.reference
-    print_table(computed.title, ["contact", ""], tables.contact_rows(case, found.rail))
+    print(f"{computed.title}\n")
+    print_table("Contact", ["", ""], tables.contact_rows(case, found.rail))
     columns = ["initial slope", "kN per unit creepage", "against Kalker's table"]
     print_table("Slope of the creep curve", columns, tables.slope_rows(case))
     if not computed.swept:

@@ -101,7 +101,8 @@ class LawComparison:
         """Greatest flash temperature of steel surfaces over that at which they enter [K].
 
         The heat is spread like Hertz's pressure, as when the whole patch slides; where part of it
-        sticks, the rise is that of the same power and lies further forward than the true one.
+        sticks, the rise is that of the same power and lies further forward than the true one. A law
+        without a moment may take power from a large spin; that counts as no heat.
         """
         growth = np.cbrt(self.load / self.contact.load)
         wheel_speed = self.speed * (1.0 + self.longitudinal)
@@ -115,7 +116,7 @@ class LawComparison:
                 flash_temperature(
                     flash_conductance(STEEL_ERTZ_2002, a, b, wheel),
                     flash_conductance(STEEL_ERTZ_2002, a, b, train),
-                    power,
+                    max(power, 0.0),
                 ).rise
                 for a, b, wheel, train, power in rows
             ]
