@@ -62,7 +62,7 @@ class Motion:
         Speed of the train.
     creepage
         Longitudinal: (wheel speed − train speed)/train speed, positive when driving; 0.2 % if
-        neither creepage nor spin nor a sweep is given.
+        no creepage and no spin is given or swept.
     lateral
         The same across the track.
     spin

@@ -102,10 +102,12 @@ def as_json(computed: Computed, files: Sequence[Path]) -> dict[str, Any]:
 
 def write(computed: Computed, folder: Path, formats: Sequence[str]) -> list[Path]:
     """Write data and figures into a folder, all or nothing; return their paths."""
-    from railgrip.io.contact_csv import write_comparison
+    from railgrip.io.contact_csv import write_comparison, write_map
 
     with folder_of_results(folder) as aside:
         write_comparison(computed.found, aside / "forces.csv", computed.reference)
+        if computed.patch is not None:
+            write_map(computed.patch, aside / "map.csv")
         text = json.dumps(as_plain(as_json(computed, [])), indent=2, ensure_ascii=False)
         (aside / "contact.json").write_text(text + "\n", encoding="utf-8")
         for name, picture in _figures(computed).items():

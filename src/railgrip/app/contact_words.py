@@ -76,8 +76,8 @@ def rail_from(geometry: Geometry) -> RailFriction:
         return rail_friction(geometry.rail)
 
 
-def state_from(motion: Motion, is_sweep: bool) -> ContactState:
-    """Return load, speed and creepages of a wheel.
+def state_from(motion: Motion, swept: str) -> ContactState:
+    """Return load, speed and creepages of a wheel; a little creepage if the user names none.
 
     Raises
     ------
@@ -86,7 +86,9 @@ def state_from(motion: Motion, is_sweep: bool) -> ContactState:
     """
     from railgrip.scenario.contact_state import contact_state
 
-    creeps = is_sweep or motion.creepage or motion.lateral or motion.spin
+    creeps = (
+        swept in ("creepage", "lateral", "spin") or motion.creepage or motion.lateral or motion.spin
+    )
     words = {
         "load": motion.load,
         "speed": motion.speed,

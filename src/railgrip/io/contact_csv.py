@@ -1,4 +1,4 @@
-"""A comparison of laws as a CSV file: one row a law and point, all four forms of the curve."""
+"""A contact as CSV files: what laws say, in all four forms, and the fields of the patch."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 
 from railgrip.core.atomic import write_aside
 from railgrip.laboratory.law_comparison import LawComparison
+from railgrip.laboratory.patch_map import PatchMap
 
 COLUMNS = (
     "law", "speed_m_s", "load_N", "longitudinal_creepage", "lateral_creepage", "spin_1_m",
@@ -62,4 +63,47 @@ def write_comparison(
                 zip(*columns, strict=True), forces.is_valid.tolist(), strict=True
             ):
                 writer.writerow([law, *(f"{value:.9g}" for value in values), int(is_valid)])
+    return Path(path)
+
+
+MAP_COLUMNS = (
+    "x_m", "y_m", "pressure_Pa", "traction_x_Pa", "traction_y_Pa", "slip_x", "slip_y",
+    "heat_flux_W_m2", "is_slipping",
+)  # fmt: skip
+"""Heads of the columns of a map; slip is over the speed of the train."""
+
+
+def write_map(found: PatchMap, path: str | os.PathLike[str]) -> Path:
+    """Write the fields of a patch, one row a cell in contact.
+
+    Parameters
+    ----------
+    found : PatchMap
+        From `railgrip.laboratory.patch_map`.
+    path : str or path
+        The file; it appears whole or not at all.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    RailgripError
+        ``out/map.csv: cannot be written; got Permission denied``
+    """
+    inside = found.is_inside
+    columns = [
+        field[inside].tolist()
+        for field in (
+            found.x, found.y, found.pressure, found.traction_x, found.traction_y,
+            found.slip_x, found.slip_y, found.heat_flux,
+        )
+    ]  # fmt: skip
+    with write_aside(path) as aside, aside.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(MAP_COLUMNS)
+        for *values, slips in zip(*columns, found.is_slipping[inside].tolist(), strict=True):
+            writer.writerow([*(f"{value:.9g}" for value in values), int(slips)])
     return Path(path)

@@ -10,7 +10,7 @@ import pytest
 
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.contact.rolling_contact import Creepage
-from railgrip.io.contact_csv import COLUMNS, write_comparison
+from railgrip.io.contact_csv import COLUMNS, MAP_COLUMNS, write_comparison, write_map
 from railgrip.laboratory.contact_case import contact_case
 from railgrip.laboratory.law_comparison import LawComparison, compare_laws
 from railgrip.laboratory.patch_map import patch_map
@@ -104,3 +104,14 @@ def test_csv_has_all_forms(swept: LawComparison, tmp_path: Path) -> None:
     assert (last["law"], last["is_valid"]) == ("kalker_linear", "0")
     assert float(last["slip_speed_m_s"]) == pytest.approx(0.2)
     assert float(last["longitudinal_adhesion"]) == pytest.approx(1.4523733, rel=1e-6)
+
+
+def test_csv_of_a_map_has_one_row_a_cell(tmp_path: Path) -> None:
+    patch = patch_map("exact", CASE.contact, COULOMB, 20.0, Creepage(0.002, 0.0, 0.3), cells=24)
+    with write_map(patch, tmp_path / "map.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert tuple(rows[0]) == MAP_COLUMNS
+    assert len(rows) == patch.is_inside.sum()
+    area = (patch.x[0, 1] - patch.x[0, 0]) * (patch.y[1, 0] - patch.y[0, 0])
+    load = sum(float(row["pressure_Pa"]) for row in rows) * area
+    assert load == pytest.approx(100e3, rel=1e-6)

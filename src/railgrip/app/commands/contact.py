@@ -47,7 +47,7 @@ def contact(
     _refuse_unknown_forms(output, varied)
     with working("reading"):
         sweep = sweep_from(varied)
-        state = state_from(motion, is_sweep=sweep is not None)
+        state = state_from(motion, varied.sweep)
         pair, rail = pair_from(geometry), rail_from(geometry)
         usual = "fastsim_1982" if output.with_map else "polach_2005"
         names, base = laws_from(laws or usual, reference)
