@@ -86,8 +86,9 @@ def _zones(axes: Axes, found: PatchMap) -> None:
     )
     longest = float(np.hypot(along, across).max()) or 1.0
     axes.quiver(1e3 * x, 1e3 * y, along / longest, across / longest, scale=14, width=0.005)
-    share = float(found.is_slipping.sum() / found.is_inside.sum())
-    axes.set_title(f"Traction on the wheel; {100 * share:.0f} % of the cells slip")
+    area = _areas(found)
+    share = float(area[found.is_slipping].sum() / area[found.is_inside].sum())
+    axes.set_title(f"Traction on the wheel; {100 * share:.0f} % of the patch slips")
     patches = [Patch(color=_STICK, label="stick"), Patch(color=_SLIP, label="slip")]
     axes.legend(handles=patches, loc="upper right", bbox_to_anchor=(1.02, 1.02), handlelength=1.0)
 
@@ -97,6 +98,15 @@ def _corners(found: PatchMap) -> tuple[Array, Array]:
     padded = [np.pad(1e3 * c, 1, mode="reflect", reflect_type="odd") for c in (found.x, found.y)]
     x, y = (0.25 * (p[:-1, :-1] + p[1:, :-1] + p[:-1, 1:] + p[1:, 1:]) for p in padded)
     return x, y
+
+
+def _areas(found: PatchMap) -> Array:
+    """Areas of the cells, by their diagonals: FASTSIM's are narrow at the edges."""
+    x, y = _corners(found)
+    return 0.5 * np.abs(
+        (x[1:, 1:] - x[:-1, :-1]) * (y[1:, :-1] - y[:-1, 1:])
+        - (x[1:, :-1] - x[:-1, 1:]) * (y[1:, 1:] - y[:-1, :-1])
+    )
 
 
 def _spread(found: PatchMap) -> list[int]:
