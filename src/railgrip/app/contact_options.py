@@ -67,6 +67,10 @@ class Motion:
         The same across the track.
     spin
         Rotation about the normal of the contact over the speed of the train, e.g. "0.5 1/m".
+    wheel_temperature
+        With which the tread enters the patch.
+    rail_temperature
+        With which the rail enters the patch.
     """
 
     load: Annotated[str, Signed] = "100 kN"
@@ -74,6 +78,8 @@ class Motion:
     creepage: Annotated[str, Signed] = ""
     lateral: Annotated[str, Signed] = ""
     spin: Annotated[str, Signed] = ""
+    wheel_temperature: Annotated[str, Signed] = "20 degC"
+    rail_temperature: Annotated[str, Signed] = "20 degC"
 
 
 @Parameter(name="*", group=Group("Sweep", sort_key=3))

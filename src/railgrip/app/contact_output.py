@@ -29,22 +29,28 @@ class Computed(NamedTuple):
         What the laws say.
     reference : str
         Law from which differences are taken.
+    temperatures : (float, float)
+        With which wheel and rail enter [°C].
     swept : str
         Name of what is varied, empty for a single case.
     over, show : str
         Form of the curves.
     patch : PatchMap or None
         Fields over the patch.
+    rises : ndarray or None
+        Rise of the wheel's surface over the patch [K].
     """
 
     title: str
     case: ContactCase
     found: LawComparison
     reference: str
+    temperatures: tuple[float, float]
     swept: str
     over: str
     show: str
     patch: PatchMap | None
+    rises: Any
 
 
 def show(computed: Computed) -> None:
@@ -57,7 +63,8 @@ def show(computed: Computed) -> None:
     columns = ["initial slope", "kN per unit creepage", "against Kalker's table"]
     print_table("Slope of the creep curve", columns, tables.slope_rows(case))
     if not computed.swept:
-        print_table("Creep forces", *tables.law_rows(found, reference))
+        heads, rows = tables.law_rows(found, reference, *computed.temperatures)
+        print_table("Creep forces", heads, rows)
     else:
         form = (computed.over, computed.show)
         heads, rows = tables.sweep_rows(found, computed.swept, *form)
@@ -65,6 +72,8 @@ def show(computed: Computed) -> None:
         print_table("Summary", *tables.summary_rows(found, computed.swept, reference, *form))
     if not all(forces.is_valid.all() for forces in found.forces.values()):
         print(f"{tables.BEYOND} beyond what the law declares itself good for")
+    for warning in tables.warnings(found, *computed.temperatures):
+        print(warning)
 
 
 def as_json(computed: Computed, files: Sequence[Path]) -> dict[str, Any]:
@@ -78,6 +87,7 @@ def as_json(computed: Computed, files: Sequence[Path]) -> dict[str, Any]:
             "difference": found.difference(law, computed.reference).tolist(),
             "friction_power": found.friction_power(law).tolist(),
             "flash_rise": found.flash_rise(law).tolist(),
+            "surface_temperature": found.surface_temperature(law, *computed.temperatures).tolist(),
         }
         for law, forces in found.forces.items()
     }
@@ -90,6 +100,8 @@ def as_json(computed: Computed, files: Sequence[Path]) -> dict[str, Any]:
             "approach": case.patch.approach,
         },
         "rail": found.rail._asdict(),
+        "wheel_temperature": computed.temperatures[0],
+        "rail_temperature": computed.temperatures[1],
         "slopes": case.slopes._asdict(),
         "swept": computed.swept,
         "points": {name: getattr(found, name).tolist() for name in points},
@@ -107,7 +119,7 @@ def write(computed: Computed, folder: Path, formats: Sequence[str]) -> list[Path
     with folder_of_results(folder) as aside:
         write_comparison(computed.found, aside / "forces.csv", computed.reference)
         if computed.patch is not None:
-            write_map(computed.patch, aside / "map.csv")
+            write_map(computed.patch, aside / "map.csv", computed.rises)
         text = json.dumps(as_plain(as_json(computed, [])), indent=2, ensure_ascii=False)
         (aside / "contact.json").write_text(text + "\n", encoding="utf-8")
         for name, picture in _figures(computed).items():
@@ -133,5 +145,5 @@ def _figures(computed: Computed) -> dict[str, Any]:
         from railgrip.report.contact_maps import map_figure
 
         speed = float(found.speed[0])
-        pictures["map"] = map_figure(computed.patch, speed, title=computed.title)
+        pictures["map"] = map_figure(computed.patch, speed, computed.rises, title=computed.title)
     return pictures

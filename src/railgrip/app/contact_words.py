@@ -95,8 +95,10 @@ def state_from(motion: Motion, swept: str) -> ContactState:
         "longitudinal": motion.creepage or ("0" if creeps else "0.2 %"),
         "lateral": motion.lateral or "0",
         "spin": motion.spin or "0",
+        "wheel_temperature": motion.wheel_temperature,
+        "rail_temperature": motion.rail_temperature,
     }
-    with told_as({name: f"--{_option(name)}" for name in words}):
+    with told_as({name: _option(name) for name in words}):
         return contact_state({name: quantity(word) for name, word in words.items()})
 
 
@@ -193,4 +195,4 @@ def told_as(options: Mapping[str, str]) -> Iterator[None]:
 
 
 def _option(name: str) -> str:
-    return "creepage" if name == "longitudinal" else name
+    return "--creepage" if name == "longitudinal" else f"--{name.replace('_', '-')}"

@@ -6,7 +6,10 @@ import csv
 import os
 from pathlib import Path
 
+import numpy as np
+
 from railgrip.core.atomic import write_aside
+from railgrip.laboratory.inputs import FloatArray
 from railgrip.laboratory.law_comparison import LawComparison
 from railgrip.laboratory.patch_map import PatchMap
 
@@ -68,12 +71,14 @@ def write_comparison(
 
 MAP_COLUMNS = (
     "x_m", "y_m", "pressure_Pa", "traction_x_Pa", "traction_y_Pa", "slip_x", "slip_y",
-    "heat_flux_W_m2", "is_slipping",
+    "heat_flux_W_m2", "wheel_rise_K", "is_slipping",
 )  # fmt: skip
 """Heads of the columns of a map; slip is over the speed of the train."""
 
 
-def write_map(found: PatchMap, path: str | os.PathLike[str]) -> Path:
+def write_map(
+    found: PatchMap, path: str | os.PathLike[str], rises: FloatArray | None = None
+) -> Path:
     """Write the fields of a patch, one row a cell in contact.
 
     Parameters
@@ -82,6 +87,8 @@ def write_map(found: PatchMap, path: str | os.PathLike[str]) -> Path:
         From `railgrip.laboratory.patch_map`.
     path : str or path
         The file; it appears whole or not at all.
+    rises : ndarray, optional
+        Flash rise of the wheel's surface from `patch_rises`; NaN in the file if not given [K].
 
     Returns
     -------
@@ -94,11 +101,12 @@ def write_map(found: PatchMap, path: str | os.PathLike[str]) -> Path:
         ``out/map.csv: cannot be written; got Permission denied``
     """
     inside = found.is_inside
+    warmth = np.full(found.x.shape, np.nan) if rises is None else rises
     columns = [
         field[inside].tolist()
         for field in (
             found.x, found.y, found.pressure, found.traction_x, found.traction_y,
-            found.slip_x, found.slip_y, found.heat_flux,
+            found.slip_x, found.slip_y, found.heat_flux, warmth,
         )
     ]  # fmt: skip
     with write_aside(path) as aside, aside.open("w", encoding="utf-8", newline="") as file:

@@ -20,6 +20,7 @@ from railgrip.core.formulas.flash_temperature import (
 from railgrip.laboratory.exact import solve_exact
 from railgrip.laboratory.inputs import FloatArray, checked_points
 from railgrip.laboratory.laws_over_arrays import CreepForces, creep_forces, rescaled
+from railgrip.laboratory.sliding_contact import SlidingContact
 
 EXACT = "exact"
 """Name under which the exact theory stands among the laws."""
@@ -100,27 +101,46 @@ class LawComparison:
     def flash_rise(self, law: str) -> FloatArray:
         """Greatest flash temperature of steel surfaces over that at which they enter [K].
 
-        The heat is spread like Hertz's pressure, as when the whole patch slides; where part of it
-        sticks, the rise is that of the same power and lies further forward than the true one. A law
+        The heat is spread like Hertz's pressure, as when the whole patch slides. Where part of it
+        sticks, the same power heats less of it and the true rise is greater: on the base case by a
+        half at 0.2 %, an eighth at 0.5 %, a fourteenth at 1 %; `patch_rises` gives it. A law
         without a moment may take power from a large spin; that counts as no heat.
         """
-        growth = np.cbrt(self.load / self.contact.load)
-        wheel_speed = self.speed * (1.0 + self.longitudinal)
-        rows = zip(
-            (growth * self.contact.a).tolist(), (growth * self.contact.b).tolist(),
-            wheel_speed.tolist(), self.speed.tolist(), self.friction_power(law).tolist(),
-            strict=True,
-        )  # fmt: skip
+        power = np.maximum(self.friction_power(law), 0.0).tolist()
         return np.array(
             [
                 flash_temperature(
                     flash_conductance(STEEL_ERTZ_2002, a, b, wheel),
                     flash_conductance(STEEL_ERTZ_2002, a, b, train),
-                    max(power, 0.0),
+                    heat,
                 ).rise
-                for a, b, wheel, train, power in rows
+                for heat, (_, a, b, wheel, train) in zip(power, self._surfaces(), strict=True)
             ]
         )
+
+    def surface_temperature(
+        self, law: str, wheel_temperature: float = 20.0, rail_temperature: float = 20.0
+    ) -> FloatArray:
+        """Greatest temperature in the patch: where the bodies meet, and the flash on top [°C].
+
+        The arguments are the temperatures with which wheel and rail enter [°C].
+        """
+        touch = [
+            SlidingContact(
+                load, a, b, 0.0, wheel, train, wheel_temperature, rail_temperature
+            ).touch_temperature()
+            for load, a, b, wheel, train in self._surfaces()
+        ]
+        return np.array(touch) + self.flash_rise(law)
+
+    def _surfaces(self) -> list[tuple[float, ...]]:
+        """Load, semi-axes, speeds of wheel and rail surface at each point."""
+        growth = np.cbrt(self.load / self.contact.load)
+        wheel_speed = np.abs(self.speed * (1.0 + self.longitudinal))
+        columns = (
+            self.load, growth * self.contact.a, growth * self.contact.b, wheel_speed, self.speed,
+        )  # fmt: skip
+        return list(zip(*(column.tolist() for column in columns), strict=True))
 
 
 def law_names() -> list[str]:

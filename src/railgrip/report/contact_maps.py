@@ -1,4 +1,4 @@
-"""The contact patch from above: pressure, stick and slip, slip speed, heat."""
+"""The contact patch from above: pressure, traction, stick and slip, slip speed, heat."""
 
 from __future__ import annotations
 
@@ -19,8 +19,10 @@ _STICK, _SLIP = "#9CC7E4", "#F2B8A0"
 _ARROWS = 11
 
 
-def map_figure(found: PatchMap, speed: float, *, title: str = "") -> Figure:
-    """Draw four maps of a patch, rolling to the right, all at one scale.
+def map_figure(
+    found: PatchMap, speed: float, rises: Array | None = None, *, title: str = ""
+) -> Figure:
+    """Draw maps of a patch, rolling to the right, all at one scale.
 
     Parameters
     ----------
@@ -28,27 +30,35 @@ def map_figure(found: PatchMap, speed: float, *, title: str = "") -> Figure:
         From `railgrip.laboratory.patch_map`.
     speed : float
         Speed of the train [m/s].
+    rises : ndarray, optional
+        Flash rise of the wheel's surface, from `railgrip.laboratory.patch_temperature` [K].
     title : str
         Second line of the heading.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Pressure; stick and slip with the tractions; slip speed; friction heat.
+        Pressure; traction; stick and slip; slip speed; friction heat; flash rise, if given.
     """
     slip_speed = speed * np.hypot(found.slip_x, found.slip_y)
     # FASTSIM's slip has no bound at the trailing edge: a few cells must not take all the colours
     some = slip_speed[found.is_slipping]
     most = 3.0 * float(np.median(some)) if some.size else math.inf
+    traction = 1e-6 * np.hypot(found.traction_x, found.traction_y)
     with styled():
-        made = Figure(figsize=(9.0, 7.2))
+        made = Figure(figsize=(12.0, 6.6))
         made.suptitle("The contact patch from above\n", x=0.01, ha="left", weight="bold")
-        made.text(0.01, 1 - 0.27 / 7.2, title, ha="left", va="top", fontsize=8.5, color="#555555")
-        panels: Any = made.subplots(2, 2, sharex=True, sharey=True)
+        made.text(0.01, 1 - 0.27 / 6.6, title, ha="left", va="top", fontsize=8.5, color="#555555")
+        panels: Any = made.subplots(2, 3, sharex=True, sharey=True)
         _field(panels[0, 0], found, 1e-6 * found.pressure, "Pressure, MPa", "cividis")
-        _zones(panels[0, 1], found)
+        _field(panels[0, 1], found, traction, "Traction, MPa", "cividis")
+        _zones(panels[0, 2], found)
         _field(panels[1, 0], found, slip_speed, "Slip speed, m/s", "viridis", most)
         _field(panels[1, 1], found, 1e-6 * found.heat_flux, "Friction heat, MW/m²", "inferno")
+        if rises is None:
+            panels[1, 2].set_title("No map of the flash rise: a surface is too slow")
+        else:
+            _field(panels[1, 2], found, rises, "Flash rise of the wheel's surface, K", "inferno")
         for axes in panels.flat:
             axes.set_aspect("equal")
             axes.grid(False)

@@ -9,6 +9,7 @@ import numpy as np
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.laboratory.contact_case import ContactCase
 from railgrip.laboratory.law_comparison import LawComparison
+from railgrip.laboratory.temperature_limits import passed_limits
 from railgrip.report.contact_axes import axis_of, force_label, place, shown_force
 
 Rows = list[list[str]]
@@ -64,9 +65,15 @@ def slope_rows(case: ContactCase) -> Rows:
     return rows
 
 
-def law_rows(found: LawComparison, reference: str) -> tuple[list[str], Rows]:
+def law_rows(
+    found: LawComparison,
+    reference: str,
+    wheel_temperature: float = 20.0,
+    rail_temperature: float = 20.0,
+) -> tuple[list[str], Rows]:
     """Return heads and rows of what each law says at the first point."""
-    heads = ["law", "along, kN", "across, kN", "moment, N m", "adhesion", "flash, K"]
+    temperatures = (wheel_temperature, rail_temperature)
+    heads = ["law", "along, kN", "across, kN", "moment, N m", "adhesion", "flash, K", "surface, °C"]
     rows = [
         [
             law + ("" if forces.is_valid[0] else BEYOND),
@@ -75,6 +82,7 @@ def law_rows(found: LawComparison, reference: str) -> tuple[list[str], Rows]:
             _number(forces.spin_moment[0], 2),
             _number(found.adhesion(law)[0], 4),
             _number(found.flash_rise(law)[0], 1),
+            _number(found.surface_temperature(law, *temperatures)[0], 1),
         ]
         for law, forces in found.forces.items()
     ]
@@ -129,6 +137,19 @@ def summary_rows(
         rows.append([law, greatest, where, f"{is_valid.sum()} of {x.size}"])
     heads = ["law", "greatest", "at", "valid points"]
     return _with_distance(heads, rows, found, reference, valid)
+
+
+def warnings(
+    found: LawComparison, wheel_temperature: float = 20.0, rail_temperature: float = 20.0
+) -> list[str]:
+    """Return which temperature limits of steel a law's surfaces pass, the highest of each law."""
+    told = []
+    for law in found.laws:
+        hottest = float(found.surface_temperature(law, wheel_temperature, rail_temperature).max())
+        passed = passed_limits(hottest) if math.isfinite(hottest) else []
+        if passed:
+            told.append(f"{law}: {passed[-1]}")
+    return told
 
 
 def _with_distance(

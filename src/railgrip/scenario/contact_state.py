@@ -13,11 +13,11 @@ from railgrip.scenario import library
 from railgrip.scenario.base import Model
 from railgrip.scenario.explain import problems_of
 from railgrip.scenario.rail import FrictionState, RailCondition
-from railgrip.scenario.units import Dimensionless, Force, Speed, Spin
+from railgrip.scenario.units import Dimensionless, Force, Speed, Spin, Temperature
 
 
 class ContactState(Model):
-    """Load, speed and creepages of one wheel; creepage is positive when driving."""
+    """Load, speed, creepages and temperatures of one wheel; creepage is positive when driving."""
 
     load: Force = Field(default=100e3, gt=0, le=1e6, description="Normal force.")
     speed: Speed = Field(default=20.0, gt=0, le=200, description="Of the train.")
@@ -26,6 +26,12 @@ class ContactState(Model):
     )
     lateral: Dimensionless = Field(default=0.0, ge=-100, le=100, description="Across the track.")
     spin: Spin = Field(default=0.0, ge=-1000, le=1000, description="Rotation over train speed.")
+    wheel_temperature: Temperature = Field(
+        default=20.0, ge=-60, le=1500, description="With which the tread enters the patch."
+    )
+    rail_temperature: Temperature = Field(
+        default=20.0, ge=-60, le=1500, description="With which the rail enters the patch."
+    )
 
 
 def contact_state(words: Mapping[str, Any]) -> ContactState:

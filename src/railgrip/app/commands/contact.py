@@ -58,10 +58,18 @@ def contact(
 
         case = contact_case(pair, state.load)
         found = compare_laws(names, case.contact, rail, **_points(state, sweep))
-        patch = _map(mapped, case.contact, rail, state) if mapped else None
-    title = _title(pair.title, geometry, state, sweep)
+        patch, rises = _map(mapped, case.contact, rail, state) if mapped else (None, None)
     computed = contact_output.Computed(
-        title, case, found, base, sweep.variable if sweep else "", output.over, output.show, patch
+        title=_title(pair.title, geometry, state, sweep),
+        case=case,
+        found=found,
+        reference=base,
+        temperatures=(state.wheel_temperature, state.rail_temperature),
+        swept=sweep.variable if sweep else "",
+        over=output.over,
+        show=output.show,
+        patch=patch,
+        rises=rises,
     )
     files = []
     if output.out is not None or output.figures or mapped:
@@ -87,7 +95,8 @@ def _refuse_unknown_forms(output: Output, varied: Range) -> None:
 
 
 def _points(state: ContactState, sweep: Sweep | None) -> dict[str, Any]:
-    given: dict[str, Any] = state.model_dump()
+    names = ("load", "speed", "longitudinal", "lateral", "spin")
+    given: dict[str, Any] = {name: getattr(state, name) for name in names}
     if sweep is not None:
         import numpy as np
 
@@ -106,12 +115,17 @@ def _law_of_the_map(names: list[str]) -> str:
     raise RailgripError(Problem("--map", what, ", ".join(names), ", ".join(MAPPED_LAWS), cure))
 
 
-def _map(law: str, contact: Any, rail: Any, state: ContactState) -> Any:
+def _map(law: str, contact: Any, rail: Any, state: ContactState) -> tuple[Any, Any]:
     from railgrip.contact.rolling_contact import Creepage
     from railgrip.laboratory.patch_map import patch_map
+    from railgrip.laboratory.patch_temperature import patch_rises
 
     creepage = Creepage(state.longitudinal, state.lateral, state.spin)
-    return patch_map(law, contact, rail, state.speed, creepage)
+    patch = patch_map(law, contact, rail, state.speed, creepage)
+    try:
+        return patch, patch_rises(patch, contact, state.speed, creepage)[0]
+    except RailgripError:  # a surface too slow to be taken strip by strip: a map without it
+        return patch, None
 
 
 def _title(pair: str, geometry: Geometry, state: ContactState, sweep: Sweep | None) -> str:
