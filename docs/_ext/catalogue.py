@@ -23,6 +23,7 @@ STOREYS = {
     "control": "Controllers",
     "train": "Axle, bogie, vehicle, train",
     "scenario": "What to run",
+    "laboratory": "The contact laboratory: laws over arrays, exact theory, maps",
     "engine": "From scenario to result",
     "io": "Files",
     "report": "Metrics, plots, reports",

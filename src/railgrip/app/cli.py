@@ -18,6 +18,7 @@ from cyclopts import App, CycloptsError, Parameter
 from railgrip import __version__
 from railgrip.app.commands.check import check
 from railgrip.app.commands.compare import compare
+from railgrip.app.commands.contact import contact
 from railgrip.app.commands.demo import demo
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
@@ -41,7 +42,7 @@ app = App(
     default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
 )
-for command in (demo, run, compare, check, tune, new, schema):
+for command in (demo, run, compare, contact, check, tune, new, schema):
     app.command(command)
 app.command(list_names, name="list")
 

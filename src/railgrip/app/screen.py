@@ -24,14 +24,15 @@ def print_problems(problems: Iterable[Problem], as_json: bool, exit_code: int) -
 
 def print_json(content: dict[str, Any]) -> None:
     """Print one JSON object; numbers that JSON cannot say (NaN, infinity) become null."""
-    print(json.dumps(_finite(content), indent=2, ensure_ascii=False, allow_nan=False))
+    print(json.dumps(as_plain(content), indent=2, ensure_ascii=False, allow_nan=False))
 
 
-def _finite(value: Any) -> Any:
+def as_plain(value: Any) -> Any:
+    """Return the value with null for numbers that JSON cannot say."""
     if isinstance(value, dict):
-        return {key: _finite(item) for key, item in value.items()}
+        return {key: as_plain(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_finite(item) for item in value]
+        return [as_plain(item) for item in value]
     if isinstance(value, float) and value - value != 0.0:
         return None
     return value

@@ -1,8 +1,10 @@
 """What every law of rolling contact reads and returns: the contact, the creepages, the forces."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from railgrip.contact.kalker_1990 import kalker_coefficients
+from railgrip.contact.rail_friction import RailFriction
 from railgrip.core.formulas.patch import hertz_1882
 
 
@@ -74,6 +76,10 @@ class CreepForce(NamedTuple):
     longitudinal: float
     lateral: float
     spin_moment: float
+
+
+RollingLaw = Callable[[RollingContact, RailFriction, float, Creepage], CreepForce]
+"""``law(contact, rail, speed, creepage)``, registered under ``railgrip.rolling_laws``."""
 
 
 def rolling_contact(

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from railgrip.core.atomic import write_aside
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.laboratory.checks import checked_array, checked_number
+from railgrip.laboratory.inputs import checked_array, checked_number
 
 FloatArray = NDArray[np.float64]
 

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from numpy.typing import ArrayLike
 
 from railgrip.contact.rail_friction import RailFriction
-from railgrip.laboratory.checks import checked_number
 from railgrip.laboratory.creep_curve import CreepCurve, creep_curve
 from railgrip.laboratory.friction_curve import with_friction
+from railgrip.laboratory.inputs import checked_number
 
 PlantLaw = Callable[[RailFriction, float, float, float, float], float]
 """``law(rail, load, slope, slip_speed, creepage)``, registered under ``railgrip.laws``."""

@@ -10,12 +10,11 @@ from numpy.typing import ArrayLike
 from railgrip.compiler import inlined, numba
 from railgrip.contact.angle_of_attack import STRAIGHT, WheelAttitude, attack_creepage
 from railgrip.contact.rail_friction import RailFriction
-from railgrip.contact.rolling_contact import RollingContact
+from railgrip.contact.rolling_contact import RollingContact, RollingLaw
 from railgrip.core.errors import Problem, RailgripError, unknown_name
-from railgrip.laboratory.checks import checked_number
 from railgrip.laboratory.creep_curve import CreepCurve, creep_curve
+from railgrip.laboratory.inputs import checked_number
 from railgrip.laboratory.load_cycle import load_cycle, mean_forces
-from railgrip.laboratory.resultant import RollingLaw
 
 RELAXATIONS = ("constant_length", "constant_stiffness")
 

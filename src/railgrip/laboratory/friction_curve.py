@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.laboratory.checks import checked_array
+from railgrip.laboratory.inputs import checked_array
 
 FrictionLaw = Callable[[Any, float, float], float]
 

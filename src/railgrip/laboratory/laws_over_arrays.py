@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import cache
 from types import FunctionType
 from typing import Any, NamedTuple
@@ -14,20 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 from railgrip.compiler import entry, numba, with_compiled_callees
 from railgrip.contact.kalker_linear import kalker_linear
 from railgrip.contact.rail_friction import RailFriction
-from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact
+from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact, RollingLaw
 from railgrip.contact.validity import is_within, validity_of
 from railgrip.core import registry
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.laboratory.fastsim_strips import ABREAST, work_space
-from railgrip.laboratory.inputs import (
-    FloatArray,
-    as_floats,
-    common_shape,
-    refuse,
-    refuse_bad_values,
-)  # fmt: skip
-
-RollingLaw = Callable[[RollingContact, RailFriction, float, Creepage], CreepForce]
+from railgrip.laboratory.inputs import FloatArray, as_floats, checked_points, refuse
 
 
 class CreepForces(NamedTuple):
@@ -106,22 +97,11 @@ def creep_forces(
     ([0.0, 35940.38, -35940.38], [True, True, True])
     """
     function = registry.resolve("railgrip.rolling_laws", law) if isinstance(law, str) else law
-    given = {
-        "speed": (speed, "m/s"),
-        "load": (contact.load if load is None else load, "N"),
-        "longitudinal creepage": (longitudinal, ""),
-        "lateral creepage": (lateral, ""),
-        "spin": (spin, "1/m"),
-    }
-    columns = {name: as_floats(name, value) for name, (value, _) in given.items()}
-    for name, (_, unit) in given.items():
-        refuse_bad_values(name, columns[name], unit, positive=name in ("speed", "load"))
-    growth = _growth(columns["load"] / contact.load)
-    shape = common_shape(columns)
-    flat = [
-        np.ascontiguousarray(np.broadcast_to(column, shape)).ravel()
-        for column in (*columns.values(), growth)
-    ]
+    loads = contact.load if load is None else load
+    columns = checked_points(speed, loads, longitudinal, lateral, spin)
+    shape = columns[0].shape
+    growth = _growth(as_floats("load", loads) / contact.load)  # before there are a million of them
+    flat = [*(column.ravel() for column in columns), np.broadcast_to(growth, shape).ravel()]
     force_x, force_y, moment = np.empty((3, flat[0].size))
     forces = CreepForces(force_x, force_y, moment, np.empty(flat[0].size, dtype=np.bool_))
     _kernel(function)(contact, rail, validity_of(function), *flat, *forces, work_space())

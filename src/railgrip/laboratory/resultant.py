@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import math
 import types
-from collections.abc import Callable
 from functools import cache
 
 from railgrip.contact.polach_2005 import polach_2005
 from railgrip.contact.rail_friction import RailFriction
-from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact
+from railgrip.contact.rolling_contact import Creepage, CreepForce, RollingContact, RollingLaw
 from railgrip.laboratory.curve_of_law import PlantLaw
-
-RollingLaw = Callable[[RollingContact, RailFriction, float, Creepage], CreepForce]
-"""``law(contact, rail, speed, creepage)``, registered under ``railgrip.rolling_laws``."""
 
 _LEAST = 1e-30
 _law: PlantLaw = polach_2005

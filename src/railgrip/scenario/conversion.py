@@ -55,9 +55,10 @@ def conversion(unit: str, target: str) -> tuple[float, float] | None:
 
     Examples
     --------
-    >>> conversion("bar", "Pa")
-    (100000.0, 0.0)
+    >>> conversion("bar", "Pa"), conversion("1/mm", "1/m")
+    ((100000.0, 0.0), (1000.0, 0.0))
     """
+    unit = f"1{unit}" if unit.startswith("/") else unit  # as in "0.5/m"
     if not _is_plain(unit):
         return None
     ureg = _registry()
@@ -72,7 +73,7 @@ def conversion(unit: str, target: str) -> tuple[float, float] | None:
 
 def _is_plain(unit: str) -> bool:
     # pint evaluates what it parses: "m**9**9**9" would never come back.
-    rest = _EXPONENT.sub("", unit)
+    rest = _EXPONENT.sub("", unit.removeprefix("1/"))
     return len(unit) <= 40 and not re.search(r"[\d^]|\*\*|[^\w\s/*().·²³‰%°µμ^-]", rest)
 
 

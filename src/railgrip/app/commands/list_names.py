@@ -23,6 +23,8 @@ SHIPPED = {
 PLUG_INS = {
     "controllers": "railgrip.controllers",
     "laws": "railgrip.laws",
+    "rolling-laws": "railgrip.rolling_laws",
+    "friction-laws": "railgrip.friction_laws",
     "readers": "railgrip.readers",
 }
 KINDS = (*SHIPPED, *PLUG_INS)
