@@ -53,7 +53,7 @@ def run(block: Block, folder: Path) -> subprocess.CompletedProcess[str]:
 
 def test_the_pages_show_something() -> None:
     names = {page.name for page in PAGES}
-    assert {"README.md", "tutorial.md", "run.md", "compare.md", "check.md"} <= names
+    assert {"README.md", "tutorial.md", "run.md", "compare.md", "check.md", "contact.md"} <= names
 
 
 def test_reads_blocks_as_described(tmp_path: Path) -> None:

@@ -99,6 +99,22 @@ def test_a_map_is_drawn(railgrip: Command, tmp_path: Path) -> None:
     }  # fmt: skip
 
 
+def test_temperatures_and_their_limits(railgrip: Command) -> None:
+    arguments = ("--creepage", "-20 %", "--rail", "wet", "--wheel-temperature", "150 degC")
+    law = found(railgrip, *arguments)["laws"]["polach_2005"]
+    touch = law["surface_temperature"][0] - law["flash_rise"][0]
+    assert 75.0 < touch < 85.0  # equal steels meet near the middle of 150 and 20 °C
+    done = railgrip("contact", *arguments)
+    assert "short-time austenitisation (850 °C) passed by" in done.stdout  # the gravest
+
+
+def test_a_locked_wheel_has_a_map_without_temperature(railgrip: Command, tmp_path: Path) -> None:
+    done = railgrip("contact", "--map", "--creepage", "-100 %", "--rail", "wet")
+    assert done.returncode == 0, done.stderr
+    with (tmp_path / "out" / "contact" / "map.csv").open(encoding="utf-8", newline="") as file:
+        assert {row["wheel_rise_K"] for row in csv.DictReader(file)} == {"nan"}
+
+
 def test_geometry_by_numbers_and_by_place_on_s1002(railgrip: Command) -> None:
     own = found(
         railgrip, "--wheel-radius", "500 mm", "--wheel-transverse-radius", "-0.8 m",
@@ -135,7 +151,8 @@ BAD: dict[str, tuple[tuple[str, ...], str]] = {
     "off the profile": (("--position", "90 mm"), "--position: is out of range"),
     "flat on flat": (("--pair", "worn_on_worn", "--rail-transverse-radius", "0 m"), "zero"),
     "more hollow than the head": (("--wheel-transverse-radius", "-0.2 m"), "do not touch"),
-    "rectangle": (("--pair", "cone_on_worn_rail"), "is a rectangle, not an ellipse"),
+    "rectangle": (("--pair", "cone_on_worn_rail"), "--pair: the patch of this pair is a rectangle"),
+    "too hot": (("--wheel-temperature", "2000 degC"), "--wheel-temperature: is out of range"),
     "soft": (("--poisson", "0.9"), "--poisson: is out of range"),
     "unknown variable": (("--sweep", "spn"), "--sweep: variable 'spn' unknown"),
     "one point": (("--sweep", "spin", "--points", "1"), "--points: is out of range; got 1"),

@@ -6,6 +6,8 @@ import subprocess
 import sys
 import time
 
+import pytest
+
 HEAVY = {
     "numba",
     "llvmlite",
@@ -36,9 +38,10 @@ def test_help_imports_nothing_heavy() -> None:
     assert not HEAVY & imported(done.stderr)
 
 
-def test_help_of_a_command_imports_nothing_heavy() -> None:
-    done = help_of("run", "--help")
-    assert "--no-report" in done.stdout
+@pytest.mark.parametrize(("command", "option"), [("run", "--no-report"), ("contact", "--sweep")])
+def test_help_of_a_command_imports_nothing_heavy(command: str, option: str) -> None:
+    done = help_of(command, "--help")
+    assert option in done.stdout
     assert not HEAVY & imported(done.stderr)
 
 

@@ -9,7 +9,14 @@ from cyclopts import Parameter
 
 from railgrip.app import contact_output
 from railgrip.app.contact_options import Geometry, Motion, Output, Range
-from railgrip.app.contact_words import laws_from, pair_from, rail_from, state_from, sweep_from
+from railgrip.app.contact_words import (
+    laws_from,
+    pair_from,
+    rail_from,
+    state_from,
+    sweep_from,
+    told_as,
+)
 from railgrip.app.inputs import formats_from
 from railgrip.app.screen import print_json, working
 from railgrip.core.errors import Problem, RailgripError, unknown_name
@@ -56,7 +63,8 @@ def contact(
         from railgrip.laboratory.contact_case import contact_case
         from railgrip.laboratory.law_comparison import compare_laws
 
-        case = contact_case(pair, state.load)
+        with told_as({"": "--pair"}):
+            case = contact_case(pair, state.load)
         found = compare_laws(names, case.contact, rail, **_points(state, sweep))
         patch, rises = _map(mapped, case.contact, rail, state) if mapped else (None, None)
     computed = contact_output.Computed(
