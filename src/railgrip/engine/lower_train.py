@@ -124,11 +124,16 @@ def _transfers(scenario: Scenario) -> list[list[float]]:
     return transfers
 
 
-def _contact_values(scenario: Scenario, i: int, load: float) -> dict[str, float]:
+def contact_geometry(scenario: Scenario, i: int) -> tuple[float, float, float, float, float]:
+    """Radii and material of an axle's contacts, in the order that `hertz_1882` takes them in."""
     axle = scenario.train.axles()[i].axle
     tread = axle.tread_radius_transverse
     across = float("inf") if tread is None else tread
-    geometry = (load / 2, axle.wheel_radius, across, RAIL_HEAD_RADIUS, YOUNG, POISSON)
+    return axle.wheel_radius, across, RAIL_HEAD_RADIUS, YOUNG, POISSON
+
+
+def _contact_values(scenario: Scenario, i: int, load: float) -> dict[str, float]:
+    geometry = (load / 2, *contact_geometry(scenario, i))
     return {
         "KALKER_SLOPE": 2 * kalker_slope(*geometry),
         "RELAXATION_LENGTH": 8 * hertz_1882(*geometry).a / (3 * np.pi),
