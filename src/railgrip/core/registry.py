@@ -10,6 +10,7 @@ Nothing is imported before it is asked for by name.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
 from typing import Any
@@ -52,6 +53,24 @@ def names(group: str) -> list[str]:
     True
     """
     return sorted(_entries(group))
+
+
+def group_of(name: str, groups: Sequence[str]) -> str:
+    """Return the first of several groups in which a name is known; if none, the first group.
+
+    Parameters
+    ----------
+    name : str
+        Name under which a plug-in may be registered.
+    groups : sequence of str
+        Keys of `GROUPS`.
+
+    Examples
+    --------
+    >>> group_of("fastsim_1982", ["railgrip.laws", "railgrip.rolling_laws"])
+    'railgrip.rolling_laws'
+    """
+    return next((group for group in groups if name in _entries(group)), groups[0])
 
 
 def resolve(group: str, name: str, where: str = "") -> Any:

@@ -7,15 +7,21 @@ from typing import Any
 import numpy as np
 
 from railgrip.compiler import compiled, entry, inlined
+from railgrip.contact.falling_friction import falling_friction
 from railgrip.contact.polach_2005 import polach_2005
 from railgrip.contact.rail_friction import RailFriction
 from railgrip.core import registry
 from railgrip.engine import layout as at
 from railgrip.engine.offsets import as_offset
 from railgrip.engine.plan import FloatArray, Plan
+from railgrip.laboratory.creep_grid import chord_by_grid
+from railgrip.laboratory.creep_spline import chord_by_table
 from railgrip.scenario.scenario import Scenario
 
 _polach = inlined(polach_2005)
+_falling = inlined(falling_friction)
+_by_table = inlined(chord_by_table)
+_by_grid = inlined(chord_by_grid)
 
 CREEPAGES = np.geomspace(1e-4, 1.0, 48)
 """Creepages at which the curve is sampled: within 0.5 % of the peak of Polach's curves."""
@@ -44,6 +50,26 @@ def _peaks_polach(
     _peaks_of(_polach, mu, ratio, decay, stick, slip, load, slope, speed, creepages, peak)
 
 
+@entry
+def _peaks_by_tables(
+    mu: Any, ratio: Any, decay: Any, stick: Any, slip: Any,
+    load: Any, slope: Any, speed: Any, creepages: Any, peak: Any, tables: Any, axle: Any,
+) -> None:  # fmt: skip
+    """The same where the law of each axle stands in a table."""
+    is_one_curve = tables.curves.shape[1] == 1
+    for i in range(load.shape[0]):
+        rail = RailFriction(mu[i], ratio[i], decay[i], stick[i], slip[i])
+        curves, axis = tables.curves[axle[i]], tables.axes[axle[i]]
+        for j in range(creepages.shape[0]):
+            creepage = creepages[j]
+            if is_one_curve:
+                limit = load[i] * _falling(rail, creepage * speed[i])
+                chord = _by_table(curves[0], limit, slope[i], creepage)
+            else:
+                chord = _by_grid(curves, axis, rail, load[i], slope[i], speed[i], creepage)
+            peak[i] = max(peak[i], chord * creepage / load[i])
+
+
 def available_adhesion(
     scenario: Scenario, plan: Plan, of_axle: dict[str, FloatArray], speed: FloatArray
 ) -> FloatArray:
@@ -67,7 +93,11 @@ def available_adhesion(
     speeds = np.ascontiguousarray(np.broadcast_to(speed, shape)).ravel()
     peak = np.zeros_like(load)
     arguments = (*state, load, slope, speeds, CREEPAGES, peak)
-    if scenario.run.creep_law == "polach_2005":
+    if plan.creep_law in (at.LAW_TABLE, at.LAW_GRID):
+        numbers = np.arange(shape[1])[None, :, None]
+        axle = np.ascontiguousarray(np.broadcast_to(numbers, shape)).ravel()
+        _peaks_by_tables(*arguments, plan.creep_tables, axle)
+    elif plan.creep_law == at.LAW_POLACH:
         _peaks_polach(*arguments)
     else:
         law = inlined(registry.resolve("railgrip.laws", scenario.run.creep_law))

@@ -57,15 +57,15 @@ STALLED = int(RunStatus.STALLED)
 
 
 @entry
-def step_lanes(S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> None:
+def step_lanes(S: Any, n_axles: int, creep_law: int, tables: Any, custom: Any, h: float) -> None:
     """One plant step of sixteen lanes: the loops that must be packed arithmetic."""
-    plant_step(to.SIXTEEN_LANES, S, n_axles, creep_law, custom, h)
+    plant_step(to.SIXTEEN_LANES, S, n_axles, creep_law, tables, custom, h)
 
 
 @entry
-def step_single(S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> None:
+def step_single(S: Any, n_axles: int, creep_law: int, tables: Any, custom: Any, h: float) -> None:
     """One plant step of a single run: the same operations in the same order."""
-    plant_step(to.ONE_LANE, S, n_axles, creep_law, custom, h)
+    plant_step(to.ONE_LANE, S, n_axles, creep_law, tables, custom, h)
 
 
 @inlined
@@ -87,7 +87,7 @@ def _advance(lanes: Any, S: Any, plan: Any, custom: Any, step: Any, moment: int)
     if has_faults:
         for k in range(len(lanes)):
             seize_axles(len(lanes), S, plan.faults, k)
-    step(S, plan.n_axles, plan.creep_law, custom, timing.tick)
+    step(S, plan.n_axles, plan.creep_law, plan.creep_tables, custom, timing.tick)
     account(lanes, S, plan.n_axles, timing.tick)
 
 

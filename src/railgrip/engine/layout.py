@@ -148,7 +148,7 @@ N_FRICTION = 5
 
 # --- choices, taken outside the lane loops ---------------------------------------------------
 PAD_NONE, PAD_CONSTANT, PAD_KARWATZKI, PAD_PIECEWISE = range(4)
-LAW_POLACH, LAW_FREIBAUER, LAW_SHEN, LAW_CUSTOM = range(4)
+LAW_POLACH, LAW_FREIBAUER, LAW_SHEN, LAW_TABLE, LAW_GRID, LAW_CUSTOM = range(6)
 FILL_LINEAR, FILL_ORIFICE = range(2)
 BRAKE_COLUMNS = 30
 """Of an axle's brake: filling code, pad law code, up to 28 numbers of the pad."""

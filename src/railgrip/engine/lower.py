@@ -11,6 +11,7 @@ from railgrip.control import contract as ctl
 from railgrip.control.rotation_monitoring import RotationMonitoring
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine import layout as at
+from railgrip.engine.creep_laws import find_creep_law
 from railgrip.engine.lower_train import ENDLESS, lower_train, static_loads
 from railgrip.engine.plan import Faults, FloatArray, Formation, IntArray, Plan, Timing, Way
 from railgrip.scenario.fault import FAULT_KINDS
@@ -19,11 +20,6 @@ from railgrip.scenario.rail import FrictionState, RailCondition
 from railgrip.scenario.run import DrivePoint
 from railgrip.scenario.scenario import Scenario
 
-LAWS = {
-    "polach_2005": at.LAW_POLACH,
-    "freibauer_1983": at.LAW_FREIBAUER,
-    "shen_hedrick_elkins_1983": at.LAW_SHEN,
-}
 FIELD_STEP = 0.5
 """Spacing of the random field along the line, m: one field for every step, speed and train."""
 FORGOTTEN = 10.0
@@ -55,16 +51,20 @@ def lower(scenario: Scenario, control_period: float, parameters: FloatArray) -> 
     Raises
     ------
     RailgripError
-        Where time or rail cannot be cut into ticks and cells: "a delay must be shorter …".
+        Where time or rail cannot be cut into ticks and cells: "a delay must be shorter …"; where
+        the creep law cannot be tabulated.
     """
     table, brakes = lower_train(scenario)
+    way = _way(scenario)
+    creep_law, creep_tables = find_creep_law(scenario, way.conditions)
     return Plan(
-        way=_way(scenario),
+        way=way,
         timing=_timing(scenario, control_period),
         formation=_formation(scenario, brakes),
         faults=_faults(scenario),
         n_axles=np.uint64(scenario.train.n_axles),
-        creep_law=LAWS.get(scenario.run.creep_law, at.LAW_CUSTOM),
+        creep_law=creep_law,
+        creep_tables=creep_tables,
         parameters=table,
         controller_parameters=parameters,
         monitor_parameters=np.array(RotationMonitoring(), dtype=float),

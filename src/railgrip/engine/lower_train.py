@@ -126,11 +126,16 @@ def _transfers(scenario: Scenario) -> list[list[float]]:
     return transfers
 
 
-def _contact_values(scenario: Scenario, i: int, load: float, gain: float) -> dict[str, float]:
+def contact_geometry(scenario: Scenario, i: int) -> tuple[float, float, float, float, float]:
+    """Radii and material of an axle's contacts, in the order that `hertz_1882` takes them in."""
     axle = scenario.train.axles()[i].axle
     tread = axle.tread_radius_transverse
     across = float("inf") if tread is None else tread
-    geometry = (load / 2, axle.wheel_radius, across, RAIL_HEAD_RADIUS, YOUNG, POISSON)
+    return axle.wheel_radius, across, RAIL_HEAD_RADIUS, YOUNG, POISSON
+
+
+def _contact_values(scenario: Scenario, i: int, load: float, gain: float) -> dict[str, float]:
+    geometry = (load / 2, *contact_geometry(scenario, i))
     patch = hertz_1882(*geometry)
     # a patch grows with the load^(1/3), so what moving steel takes up grows with its root
     still = flash_conductance(STEEL_ERTZ_2002, patch.a, patch.b, 0.0) ** 2

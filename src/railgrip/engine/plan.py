@@ -127,6 +127,24 @@ class Faults(NamedTuple):
     ticks: IntArray
 
 
+class CreepTables(NamedTuple):
+    """The creep law of each axle, where it stands in a table; see `laboratory.creep_table`.
+
+    Attributes
+    ----------
+    curves : float array (axle, curve, cells + 2)
+        Coefficients.
+    axes : float array (axle, 5)
+        `laboratory.creep_grid.GridAxis` of each.
+    error : float
+        The greatest of any axle, in shares of μQ [-].
+    """
+
+    curves: FloatArray
+    axes: FloatArray
+    error: float
+
+
 class Plan(NamedTuple):
     """All of it, for the kernel."""
 
@@ -136,6 +154,7 @@ class Plan(NamedTuple):
     faults: Faults
     n_axles: np.uint64
     creep_law: int
+    creep_tables: CreepTables
     parameters: FloatArray
     """(1 + axles, N_PARAMETERS): row 0 the train, then each axle."""
     controller_parameters: FloatArray

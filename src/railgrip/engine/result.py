@@ -121,6 +121,7 @@ class Result:
                 "railgrip_version": railgrip.__version__,
                 "seed": scenario.run.seed,
                 "creep_law": scenario.run.creep_law,
+                "creep_law_error": plan.creep_tables.error,
                 "controller": scenario.wsp.controller,
                 "faults": "\n".join(map(str, scenario.fault)),
                 "wsp_parameters": json.dumps(wsp_parameters),

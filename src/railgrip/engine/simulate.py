@@ -23,7 +23,7 @@ from railgrip.engine.controllers import (
     no_kernel,
     plain_step,
 )
-from railgrip.engine.lower import LAWS, controller_setup, lower, ring_cells
+from railgrip.engine.lower import controller_setup, lower, ring_cells
 from railgrip.engine.plan import FloatArray, Memory, Outcome, Overrides, Plan
 from railgrip.engine.plug_ins import CREEP_LAW, creep_law, first_class
 from railgrip.engine.records import AXLE_OUTCOMES, AXLE_TRACES, TRAIN_OUTCOMES, TRAIN_TRACES
@@ -70,11 +70,10 @@ def prepare(scenario: Scenario, controller: Any = None) -> Prepared:
     chosen = (
         compiled(controller, scenario.train.n_axles) if is_compiled(controller) else no_kernel()
     )
-    name = scenario.run.creep_law
-    law = first_class(_no_law, CREEP_LAW)
-    if name not in LAWS:
-        law = creep_law(registry.resolve("railgrip.laws", name, "run.creep_law"))
     plan = lower(scenario, float(controller.period), chosen.parameters)
+    law = first_class(_no_law, CREEP_LAW)
+    if plan.creep_law == at.LAW_CUSTOM:
+        law = creep_law(registry.resolve("railgrip.laws", scenario.run.creep_law, "run.creep_law"))
     return Prepared(scenario, plan, controller, chosen, law)
 
 

@@ -22,7 +22,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from railgrip.compiler import inlined
+from railgrip.compiler import inlined, inlined_apart
 from railgrip.contact.falling_friction import falling_friction
 from railgrip.contact.freibauer_1983 import freibauer_1983
 from railgrip.contact.polach_2005 import polach_2005
@@ -31,6 +31,8 @@ from railgrip.contact.shen_hedrick_elkins_1983 import shen_hedrick_elkins_1983
 from railgrip.engine import layout
 from railgrip.engine import offsets as at
 from railgrip.engine.offsets import width
+from railgrip.laboratory.creep_grid import chord_by_grid
+from railgrip.laboratory.creep_spline import chord_by_table
 
 LEAST_ROLLING_SPEED = 1e-3
 """Floor of the speed that creepage is formed with, m/s: at a stand every creepage is small."""
@@ -53,6 +55,8 @@ _falling = inlined(falling_friction)
 _polach = inlined(polach_2005)
 _freibauer = inlined(freibauer_1983)
 _shen = inlined(shen_hedrick_elkins_1983)
+_by_table = inlined(chord_by_table)
+_by_grid = inlined(chord_by_grid)
 
 
 @inlined
@@ -119,6 +123,29 @@ def _law_pass(lanes: Any, S: Any, b: int, law: Any) -> None:
         _keep_contact(L, S, b, k, force / creepage, limit, rolling)
 
 
+@inlined_apart
+def _table_pass(lanes: Any, S: Any, b: int, table: Any) -> None:
+    """The same with a law whose one curve stands in a table."""
+    L = width(lanes)
+    for k in range(L):
+        load, slip_speed, rolling, creepage = _slip(L, S, b, k)
+        limit = _falling(_rail(L, S, b, k), slip_speed) * load
+        chord = _by_table(table, limit, S[b + at.SLOPE * L + k], creepage)
+        _keep_contact(L, S, b, k, chord, limit, rolling)
+
+
+@inlined_apart
+def _grid_pass(lanes: Any, S: Any, b: int, grid: Any, axis: Any) -> None:
+    """The same with a law whose curve depends on more than the creepage."""
+    L = width(lanes)
+    for k in range(L):
+        load, slip_speed, rolling, creepage = _slip(L, S, b, k)
+        rail = _rail(L, S, b, k)
+        limit = _falling(rail, slip_speed) * load
+        chord = _by_grid(grid, axis, rail, load, S[b + at.SLOPE * L + k], rolling, creepage)
+        _keep_contact(L, S, b, k, chord, limit, rolling)
+
+
 @inlined
 def _custom_pass(lanes: Any, S: Any, b: int, custom: Any) -> None:
     """The same with somebody's own law, lane by lane."""
@@ -136,14 +163,19 @@ def _custom_pass(lanes: Any, S: Any, b: int, custom: Any) -> None:
 
 
 @inlined
-def _contact_pass(lanes: Any, S: Any, b: int, creep_law: int, custom: Any) -> None:
+def _contact_pass(lanes: Any, S: Any, axle: int, creep_law: int, tables: Any, custom: Any) -> None:
     """Contact by the law that the scenario names."""
+    b = (axle + at.AXLE_BLOCK) * at.N_VARS * width(lanes)
     if creep_law == layout.LAW_POLACH:
         _law_pass(lanes, S, b, _polach)
     elif creep_law == layout.LAW_FREIBAUER:
         _law_pass(lanes, S, b, _freibauer)
     elif creep_law == layout.LAW_SHEN:
         _law_pass(lanes, S, b, _shen)
+    elif creep_law == layout.LAW_TABLE:
+        _table_pass(lanes, S, b, tables.curves[axle, 0])
+    elif creep_law == layout.LAW_GRID:
+        _grid_pass(lanes, S, b, tables.curves[axle], tables.axes[axle])
     else:
         _custom_pass(lanes, S, b, custom)
 
@@ -385,7 +417,7 @@ def _half_train_pass(lanes: Any, S: Any, last: int, h: float) -> None:
 
 @inlined
 def _whole_and_first_half(
-    lanes: Any, S: Any, n_axles: int, creep_law: int, custom: Any, h: float
+    lanes: Any, S: Any, n_axles: int, creep_law: int, tables: Any, custom: Any, h: float
 ) -> None:
     """Step by h, kept aside, and by h/2: both begin at one state, so they share the contact."""
     block = at.N_VARS * width(lanes)
@@ -393,7 +425,7 @@ def _whole_and_first_half(
     _head_pass(lanes, S)
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * block
-        _contact_pass(lanes, S, b, creep_law, custom)
+        _contact_pass(lanes, S, axle, creep_law, tables, custom)
         _condense_whole_pass(lanes, S, b, h)
         _condense_half_pass(lanes, S, b, 0.5 * h)
     _predict_whole_pass(lanes, S, last, h)
@@ -407,14 +439,16 @@ def _whole_and_first_half(
 
 
 @inlined
-def _second_half(lanes: Any, S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> None:
+def _second_half(
+    lanes: Any, S: Any, n_axles: int, creep_law: int, tables: Any, custom: Any, h: float
+) -> None:
     """Step by h/2 once more, and extrapolate."""
     block = at.N_VARS * width(lanes)
     last = n_axles * block
     _head_pass(lanes, S)
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * block
-        _contact_pass(lanes, S, b, creep_law, custom)
+        _contact_pass(lanes, S, axle, creep_law, tables, custom)
         _condense_half_pass(lanes, S, b, 0.5 * h)
     _predict_half_pass(lanes, S, last, 0.5 * h)
     for axle in range(n_axles):
@@ -426,11 +460,13 @@ def _second_half(lanes: Any, S: Any, n_axles: int, creep_law: int, custom: Any, 
 
 
 @inlined
-def plant_step(lanes: Any, S: Any, n_axles: int, creep_law: int, custom: Any, h: float) -> None:
+def plant_step(
+    lanes: Any, S: Any, n_axles: int, creep_law: int, tables: Any, custom: Any, h: float
+) -> None:
     """Advance wheels and train of every lane by h, to second order.
 
     Richardson's extrapolation of the step: 2 × two halves − one whole. It is linear in the
     states, so momentum stays exact, and so does energy with the tick's mean speeds.
     """
-    _whole_and_first_half(lanes, S, n_axles, creep_law, custom, h)
-    _second_half(lanes, S, n_axles, creep_law, custom, h)
+    _whole_and_first_half(lanes, S, n_axles, creep_law, tables, custom, h)
+    _second_half(lanes, S, n_axles, creep_law, tables, custom, h)

@@ -15,7 +15,7 @@ from railgrip.core.errors import Problem
 from railgrip.scenario.base import Model, Text, refuse
 from railgrip.scenario.conversion import si_value
 from railgrip.scenario.reference import Plugin
-from railgrip.scenario.units import RATIO, Dimensionless, Speed, Temperature, Time
+from railgrip.scenario.units import RATIO, Angle, Dimensionless, Speed, Temperature, Time
 
 _LEVELS = {"none": 0.0, "service": 1.0, "emergency": 1.0}
 _ALLOWED = "'none', 'service', 'emergency' or a number from 0 to 1"
@@ -137,8 +137,17 @@ class Run(Model):
     ambient: Temperature = Field(
         default=20.0, ge=-60, le=70, description="Of air and of all discs."
     )
-    creep_law: Annotated[Text, Plugin("railgrip.laws", "creep law")] = Field(
-        default="polach_2005", description="A contact law by name."
+    creep_law: Annotated[
+        Text, Plugin("railgrip.laws", "creep law", second_group="railgrip.rolling_laws")
+    ] = Field(
+        default="polach_2005",
+        description="A contact law by name; one of rolling contact is tabulated before the run.",
+    )
+    angle_of_attack: Angle = Field(
+        default=0.0,
+        ge=-0.05,
+        le=0.05,
+        description="Of every wheelset on the rail, throughout; the creep law is then tabulated.",
     )
     seed: int = Field(default=1, ge=0, lt=2**63, description="Of every random number.")
 

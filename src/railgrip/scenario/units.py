@@ -15,6 +15,7 @@ RATIO = Unit("", "", 1.0, "12 %")
 Length = Annotated[float, Unit("m", "m", 1.0, "1.2 km")]
 Speed = Annotated[float, Unit("m/s", "km/h", 3.6, "160 km/h")]
 Time = Annotated[float, Unit("s", "s", 1.0, "0.5 s")]
+Angle = Annotated[float, Unit("rad", "mrad", 1e3, "5 mrad")]
 Mass = Annotated[float, Unit("kg", "kg", 1.0, "44 t")]
 Force = Annotated[float, Unit("N", "N", 1.0, "25 kN")]
 Pressure = Annotated[float, Unit("Pa", "bar", 1e-5, "3.8 bar")]

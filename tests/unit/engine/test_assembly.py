@@ -18,9 +18,13 @@ from numba import types
 
 from railgrip.compiler import inlined
 from railgrip.engine import kernel
-from railgrip.engine.lower import LAWS
+from railgrip.engine import layout as at
+from railgrip.engine.creep_laws import LAWS
 from railgrip.engine.offsets import SIXTEEN_LANES, width
+from railgrip.engine.plan import CreepTables
 from railgrip.engine.plug_ins import CREEP_LAW, first_class
+
+CODES = {**LAWS, "table of one curve": at.LAW_TABLE, "table of several": at.LAW_GRID}
 
 pytestmark = pytest.mark.skipif(
     platform.machine().lower() not in ("x86_64", "amd64"),
@@ -95,16 +99,24 @@ def custom_type() -> Any:
     return numba.typeof(first_class(nothing, CREEP_LAW))
 
 
-@pytest.mark.parametrize("law", LAWS)
-def test_no_scalar_division_in_the_step_of_a_built_in_law(
-    step: Any, custom_type: Any, law: str
+@pytest.fixture(scope="module")
+def tables_type() -> Any:
+    return numba.typeof(CreepTables(np.zeros((4, 2, 8)), np.zeros((4, 5)), 0.0))
+
+
+@pytest.mark.parametrize("law", CODES)
+def test_no_scalar_division_in_the_step_of_a_law(
+    step: Any, tables_type: Any, custom_type: Any, law: str
 ) -> None:
-    code = LAWS[law]
+    code = CODES[law]
 
-    def one_law(S: Any, n_axles: Any, custom: Any, h: float) -> None:
-        step(S, n_axles, code, custom, h)
+    def one_law(S: Any, n_axles: Any, tables: Any, custom: Any, h: float) -> None:
+        step(S, n_axles, code, tables, custom, h)
 
-    assert_packed(assembly(one_law, custom_type, types.float64))
+    asm = assembly(one_law, tables_type, custom_type, types.float64)
+    assert_packed(asm)
+    # places in a table are found several at a time, too
+    assert not re.search(r"^\s+v?cvttsd2si\s", asm, re.MULTILINE)
 
 
 def test_the_search_notices_a_loop_that_is_not_packed() -> None:

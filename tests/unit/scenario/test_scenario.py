@@ -82,6 +82,8 @@ def test_demand(table, given, held):
         ("run", {"step": "10 ms", "trace": "15 ms"}, "run.trace: must be a multiple"),
         ("run", {"speed": float("nan")}, "run.speed: must be a finite number"),
         ("run", {"creep_law": "polach"}, "did you mean 'polach_2005'?"),
+        ("run", {"creep_law": "fastsim"}, "did you mean 'fastsim_1982'?"),
+        ("run", {"angle_of_attack": "6 deg"}, "run.angle_of_attack: is out of range"),
         ("run", {"seed": -1}, "run.seed: is out of range"),
         ("run", {"seed": 1.5}, "run.seed: must be a whole number"),
         ("line", {"start": "5 km"}, "line.start: lies beyond the end of the line; got 5000 m"),

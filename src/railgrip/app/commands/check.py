@@ -36,7 +36,9 @@ def _check_scenario(file: str, as_json: bool) -> int:
         from railgrip.scenario.describe import describe
 
         scenario = railgrip.load(file)
-        registry.resolve("railgrip.laws", scenario.run.creep_law, "run.creep_law")
+        law = scenario.run.creep_law
+        group = registry.group_of(law, ("railgrip.laws", "railgrip.rolling_laws"))
+        registry.resolve(group, law, "run.creep_law")
         _check_protection(scenario.wsp.controller)
     if as_json:
         print_json({"file": file, "in_order": True, "title": scenario.title, "exit_code": IN_ORDER})
