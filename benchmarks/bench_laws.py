@@ -3,9 +3,10 @@
 Polach's law is measured in the form that the engine's inner loop has: blocks of sixteen lanes in a
 flat array, the state of the rail, load, slope, slip speed and creepage read from it and the force
 written back, packed by LLVM. The engine's own pass, which also forms load, slip and creepage and
-keeps the chord, is measured beside it. FASTSIM is measured on a patch of 50 x 50 cells with
-creepages and spin: with strips abreast, as the laboratory takes it over arrays, and strip by strip,
-as the law is written down.
+keeps the chord, is measured beside it, and so is the same pass with a law that stands in a table,
+of one curve (longitudinal creepage alone) and of several (with an angle of attack). FASTSIM is
+measured on a patch of 50 x 50 cells with creepages and spin: with strips abreast, as the laboratory
+takes it over arrays, and strip by strip, as the law is written down.
 
     python benchmarks/bench_laws.py [--quick] [--out FILE]
 """
@@ -27,10 +28,11 @@ from railgrip.contact.shen_hedrick_elkins_1983 import shen_hedrick_elkins_1983
 from railgrip.core import registry
 from railgrip.engine import offsets as at
 from railgrip.engine.offsets import SIXTEEN_LANES, width
-from railgrip.engine.step import _law_pass
+from railgrip.engine.step import _grid_pass, _law_pass, _table_pass
 from railgrip.laboratory.fastsim_map import fastsim_map
 from railgrip.laboratory.fastsim_strips import ABREAST, work_space
 from railgrip.laboratory.laws_over_arrays import creep_forces
+from railgrip.laboratory.tabulate import tabulate
 
 LANES, BLOCKS = len(SIXTEEN_LANES), 16
 MU, RATIO, DECAY, STICK, SLIDE, LOAD, SLOPE, SLIP, CREEPAGE, FORCE, N_VARS = map(
@@ -39,7 +41,7 @@ MU, RATIO, DECAY, STICK, SLIDE, LOAD, SLOPE, SLIP, CREEPAGE, FORCE, N_VARS = map
 BASE = rolling_contact(100e3, 0.46, math.inf, 0.3, 210e9, 0.28)
 COULOMB = RailFriction(0.3, 1.0, 0.0, 1.0, 1.0)
 COMBINED = Creepage(0.002, -0.001, 0.4)
-DEMANDED_RATE, DEMANDED_PATCH = 100.0, 100.0
+DEMANDED_RATE, DEMANDED_PATCH, DEMANDED_RATIO = 100.0, 100.0, 2.0
 
 
 @inlined
@@ -79,6 +81,48 @@ def _engine_loop(lanes, S, times):
     for _ in range(times):
         for axle in range(BLOCKS):
             _law_pass(lanes, S, np.uint64(axle + 1) * block, _polach)
+
+
+@entry
+def _table_loop(lanes, S, table, times):
+    block = at.N_VARS * width(lanes)
+    for _ in range(times):
+        for axle in range(BLOCKS):
+            _table_pass(lanes, S, np.uint64(axle + 1) * block, table)
+
+
+@entry
+def _grid_loop(lanes, S, grid, axis, times):
+    block = at.N_VARS * width(lanes)
+    for _ in range(times):
+        for axle in range(BLOCKS):
+            _grid_pass(lanes, S, np.uint64(axle + 1) * block, grid, axis)
+
+
+def table_rows(evaluations, times, repeats):
+    """FASTSIM from tables in the engine's law pass, beside Polach computed there."""
+    curve = tabulate("fastsim_1982", BASE, COULOMB).curves[0]
+    grid = tabulate("fastsim_1982", BASE, COULOMB, lateral=0.003)
+    axis, S = np.array(grid.axis), engine_state()
+    calls = {
+        "Polach": lambda n: _engine_loop(SIXTEEN_LANES, S, n),
+        "table of one curve": lambda n: _table_loop(SIXTEEN_LANES, S, curve, n),
+        "table of several": lambda n: _grid_loop(SIXTEEN_LANES, S, grid.curves, axis, n),
+    }
+    rows, seconds = [], {}
+    for name, call in calls.items():
+        call(1)
+        seconds[name] = best_of(repeats, lambda: call(times)).cpu  # noqa: B023
+        rate = evaluations / seconds[name] / 1e6
+        rows.append((f"the engine's law pass, {name}", rate, "million/s", ""))
+    asked = f"demanded: at most {DEMANDED_RATIO:.0f}"
+    ratio = seconds["table of one curve"] / seconds["Polach"]
+    rows.append(("table of one curve over Polach", ratio, "", asked))
+    ratio = seconds["table of several"] / seconds["Polach"]
+    rows.append(("table of several over Polach", ratio, "", ""))
+    made = best_of(repeats, lambda: tabulate("fastsim_1982", BASE, COULOMB)).cpu
+    rows.append(("FASTSIM tabulated, one curve", made * 1e3, "ms", ""))
+    return rows
 
 
 _abreast = inlined(ABREAST[fastsim_1982])
@@ -145,10 +189,7 @@ def main() -> None:
         is_asked = law is polach_2005
         demand = f"demanded: {DEMANDED_RATE:.0f} million" if is_asked else ""
         rows.append((f"{law.__name__}, in lanes", evaluations / seconds / 1e6, "million/s", demand))
-    S = engine_state()
-    _engine_loop(SIXTEEN_LANES, S, 1)
-    seconds = best_of(repeats, lambda: _engine_loop(SIXTEEN_LANES, S, times)).cpu
-    rows.append(("the engine's law pass, Polach", evaluations / seconds / 1e6, "million/s", ""))
+    rows += table_rows(evaluations, times, repeats)
 
     points = 2_000
     along = np.geomspace(1e-4, 0.3, points)

@@ -64,7 +64,9 @@ def loops(asm: str) -> list[Loop]:
         text = "\n".join(lines[slice(*span)])
         packed = len(re.findall(r"^\s+v?divpd\s", text, re.MULTILINE))
         scalar = len(re.findall(r"^\s+v?divsd\s", text, re.MULTILINE))
-        found.append(Loop(packed, scalar, any(within(other, span) for other in spans)))
+        # a comparison that heeds NaN jumps twice to one label: that is one loop
+        inner = [other for other in spans if within(other, span) and other[0] != span[0]]
+        found.append(Loop(packed, scalar, bool(inner)))
     return found
 
 
