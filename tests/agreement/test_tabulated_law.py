@@ -240,3 +240,14 @@ def test_a_slow_law_of_ours_is_tabulated_once_for_all(
     kept_tables.kept(("freibauer", 0.46), make)
     kept_tables.kept(("freibauer", 0.45), make)
     assert len(made) == 3
+
+
+def test_the_exact_theory_stops_a_train() -> None:
+    """Its table is within 1 % of the friction force; a dry stop hardly feels the creep law."""
+    scenario = rg.load("coach_120").with_({"rail": {"condition": "wet"}})
+    stops = {}
+    for name in ("exact", "fastsim_1982"):
+        changed = scenario.with_({"run.creep_law": name, "wsp.controller": "none"})
+        stops[name] = float(rg.simulate(changed)["stopping_distance"].values[0])
+    assert stops["exact"] == pytest.approx(stops["fastsim_1982"], rel=1e-4)
+    assert stops["exact"] != stops["fastsim_1982"]

@@ -23,6 +23,7 @@ GROUPS = {
     "railgrip.laws": "law",
     "railgrip.readers": "reader",
     "railgrip.rolling_laws": "law of rolling contact",
+    "railgrip.slow_rolling_laws": "law of rolling contact that needs a table",
 }
 """Entry point group → the word that messages use for one of its members."""
 

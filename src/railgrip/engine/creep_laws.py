@@ -27,6 +27,8 @@ LAWS = {
     "freibauer_1983": at.LAW_FREIBAUER,
     "shen_hedrick_elkins_1983": at.LAW_SHEN,
 }
+TABULATED = ("railgrip.rolling_laws", "railgrip.slow_rolling_laws")
+"""Groups of the laws that enter the engine as tables."""
 GREATEST_ERROR = 0.01
 """A table that is farther from its law is refused, in shares of μQ."""
 _LOAD, _FRICTION, _DECAY = 100e3, 0.3, 0.2
@@ -50,7 +52,8 @@ def find_creep_law(scenario: Scenario, conditions: FloatArray) -> tuple[int, Cre
         'my_law' knows no lateral creepage``.
     """
     name, angle = scenario.run.creep_law, scenario.run.angle_of_attack
-    known = name in registry.names("railgrip.rolling_laws")
+    group = registry.group_of(name, TABULATED)
+    known = name in registry.names(group)
     if angle != 0.0 and not known:
         names = ", ".join(registry.names("railgrip.rolling_laws"))
         what = f"the creep law '{name}' knows no lateral creepage"
@@ -84,7 +87,8 @@ def _table(
     name: str, geometry: tuple[float, ...], rail: RailFriction, lateral: float
 ) -> CreepTable:
     """Tabulate once in a process; what takes long in our own package, once for all."""
-    law: Any = registry.resolve("railgrip.rolling_laws", name, "run.creep_law")
+    group = registry.group_of(name, TABULATED)
+    law: Any = registry.resolve(group, name, "run.creep_law")
 
     def make() -> CreepTable:
         try:

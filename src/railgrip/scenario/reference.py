@@ -76,22 +76,22 @@ class Plugin(NamedTuple):
         What messages call it.
     also : str
         A further name that is allowed.
-    second_group : str
-        A further group whose names are allowed.
+    more_groups : tuple of str
+        Further groups whose names are allowed.
     """
 
     group: str
     word: str
     also: str = ""
-    second_group: str = ""
+    more_groups: tuple[str, ...] = ()
 
     def check(self, value: Any) -> Any:
         """Refuse a name that nothing is registered under."""
         if not isinstance(value, str) or value.endswith(".py") or value == self.also:
             return value
-        known = set(registry.names(self.group))
-        if self.second_group:
-            known.update(registry.names(self.second_group))
+        known = {
+            name for group in (self.group, *self.more_groups) for name in registry.names(group)
+        }
         if value not in known:
             names = known | {self.also} if self.also else known
             raise refusal([unknown_name("", self.word, printable(value), names)])

@@ -138,7 +138,12 @@ class Run(Model):
         default=20.0, ge=-60, le=70, description="Of air and of all discs."
     )
     creep_law: Annotated[
-        Text, Plugin("railgrip.laws", "creep law", second_group="railgrip.rolling_laws")
+        Text,
+        Plugin(
+            "railgrip.laws",
+            "creep law",
+            more_groups=("railgrip.rolling_laws", "railgrip.slow_rolling_laws"),
+        ),
     ] = Field(
         default="polach_2005",
         description="A contact law by name; one of rolling contact is tabulated before the run.",
