@@ -63,7 +63,7 @@ def range_place(axle: int, n_axles: int) -> int:
     Examples
     --------
     >>> range_place(0, 16), range_place(3, 16)
-    (252, 255)
+    (284, 287)
     """
     return state_size(n_axles) + axle
 
@@ -74,7 +74,7 @@ def ranged_state_size(n_axles: int) -> int:
     Examples
     --------
     >>> ranged_state_size(16)
-    268
+    300
     """
     return state_size(n_axles) + n_axles
 

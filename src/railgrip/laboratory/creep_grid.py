@@ -91,7 +91,7 @@ def chord_by_grid(
     --------
     >>> axis = np.array(GridAxis(0.0, 1.0, 0.0, 0.0, 0.0))
     >>> rail = RailFriction(0.3, 1.0, 0.0, 1.0, 1.0)
-    >>> chord_by_grid(np.ones((2, 6)), axis, rail, 100e3, 15e6, 20.0, 0.002)
+    >>> float(chord_by_grid(np.ones((2, 6)), axis, rail, 100e3, 15e6, 20.0, 0.002))
     7500000.0
     """
     lateral, by_fall = axis[LATERAL], axis[BY_FALL]

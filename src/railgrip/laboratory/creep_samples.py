@@ -60,8 +60,8 @@ def linear_share(places: FloatArray) -> FloatArray:
 
     Examples
     --------
-    >>> linear_share(np.array([0.0, 0.5, 1.0])).tolist()
-    [1e-05, 1.0, 1000000000.0]
+    >>> linear_share(np.array([0.0, 0.5, 0.75])).tolist()
+    [1e-05, 1.0, 3.0]
     """
     rest = np.maximum(1.0 - places, 1.0 / LARGEST)
     shares: FloatArray = np.clip(places / rest, SMALLEST, LARGEST)

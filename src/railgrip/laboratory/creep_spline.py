@@ -69,7 +69,7 @@ def chord_by_table(table: FloatArray, limit: float, slope: float, creepage: floa
 
     Examples
     --------
-    >>> chord_by_table(np.ones(6), 30e3, 15e6, 0.002)
+    >>> float(chord_by_table(np.ones(6), 30e3, 15e6, 0.002))
     7500000.0
     """
     cells = float(table.shape[0] - 2)

@@ -101,7 +101,7 @@ class CreepTable(NamedTuple):
         >>> rail = RailFriction(0.3, 0.4, 0.2, 1.0, 1.0)
         >>> table = tabulate("fastsim_1982", base, rail)
         >>> round(table.force(80e3, rail, 20.0, -0.001), 1)
-        -10373.0
+        -10391.9
         """
         refuse_not_positive((("load", load, "N"), ("speed", speed, "m/s")))
         if not math.isfinite(creepage):
