@@ -123,7 +123,9 @@ def wheel_pulses(
         raise RailgripError(Problem("length", "the patch does not fit the wheel", got=got))
     way = np.concatenate([[0.0], np.cumsum(0.5 * (v[1:] + v[:-1]) * np.diff(t))])
     if not way[-1] > 0.0:
-        raise RailgripError(Problem("wheel_speed", "the wheel does not turn"))
+        raise RailgripError(
+            Problem("wheel_speed", "the wheel does not turn", got="0 m/s", allowed="above 0 m/s")
+        )
     turns = np.arange(math.floor(way[-1] / circumference * (1.0 + 1e-12)) + 1) * circumference
     # where the wheel stands the way does not grow, and its inverse takes the first such time
     _, first = np.unique(way, return_index=True)
@@ -174,7 +176,14 @@ def rail_pulses(
     [0.0, 0.1, 0.76, 0.86]
     """
     if one_number("train_speed", train_speed, "m/s", least=0.0) == 0.0:
-        raise RailgripError(Problem("train_speed", "the train does not move"))
+        raise RailgripError(
+            Problem(
+                "train_speed",
+                "the train does not move",
+                got=f"{train_speed:g} m/s",
+                allowed="above 0 m/s",
+            )
+        )
     _refuse_bad_patch(length, width)
     start = np.atleast_1d(as_floats("wheel places", wheel_places)) / train_speed
     powers = course("rail_powers", rail_powers, start.size, of="wheel", least=0.0)
