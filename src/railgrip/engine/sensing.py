@@ -132,9 +132,12 @@ def obey(L: int, S: Any, command: Any, n_axles: int, k: int, slot: int) -> None:
         share = command[axle, ctl.DYNAMIC_SHARE]
         # a valve that is none of the three leaves a remainder; NaN is unequal to itself
         odd = valve * (valve - ctl.HOLD) * (valve - ctl.VENT)
+        friction = command[axle, ctl.FRICTION_SHARE]
         wrong += abs(odd) + abs(min(max(share, 0.0), 1.0) - share)
+        wrong += abs(min(max(friction, 0.0), 1.0) - friction)
         S[b + slot * L] = valve
         S[b + to.DYNAMIC_SHARE * L] = share
+        S[b + to.FRICTION_SHARE * L] = friction
     if wrong != 0.0:
         S[to.CONTROLLER_ERROR * L + k] = 1.0
 
