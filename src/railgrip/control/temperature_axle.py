@@ -1,0 +1,259 @@
+"""One axle under temperature control: from its speed to the shares of brake and motor."""
+
+from __future__ import annotations
+
+from railgrip.control.axle_protection import ALARM_SAFETY_TIMER, ALARM_SENSOR
+from railgrip.control.contract import (
+    ALARM,
+    BRAKE_DEMAND,
+    BRAKED,
+    BRAKING_EFFORT,
+    CONTINUOUS,
+    CYLINDER_PRESSURE,
+    DRIVE_DEMAND,
+    DUMP_VALVE,
+    DYNAMIC_FORCE,
+    DYNAMIC_SHARE,
+    FILL,
+    FIRST_PRESSURE,
+    FRICTION_SHARE,
+    FULL_PRESSURE,
+    HOLD,
+    IS_SLIDING,
+    MOTORED,
+    SANDING,
+    TRACTIVE_EFFORT,
+    VENT,
+    FloatArray,
+)
+from railgrip.control.conventional_parameters import (
+    EMPTY_PRESSURE,
+    INHIBIT_SPEED,
+)
+from railgrip.control.conventional_state import (
+    ACCELERATION,
+    DECELERATION,
+    FREED_AXLE,
+    IS_FAULTY,
+    REFERENCE,
+    SAFETY_FILL,
+    SLIDES,
+    SPEED,
+    axle_base,
+)
+from railgrip.control.pressure_following import follow_pressure
+from railgrip.control.safety_timer import watch_release
+from railgrip.control.sanding_request import request_sand
+from railgrip.control.slip_band import note_slide, threshold, wish
+from railgrip.control.temperature_parameters import (
+    BAND_LOWER,
+    BAND_UPPER,
+    LEAST_SPEED,
+    VALVE_MODE,
+)
+from railgrip.control.temperature_state import (
+    BRAKE_FORCE,
+    FACTOR,
+    FORCE_TARGET,
+    FRICTION,
+    FRICTION_SPEED,
+    LOAD,
+    MASS,
+    MOVING,
+    POWER_TARGET,
+    SLIP,
+    SLIP_TARGET,
+    STILL,
+    TRAIN_ACCELERATION,
+    own_base,
+    train_base,
+)
+from railgrip.control.temperature_targets import (
+    admissible_power,
+    force_target,
+    friction_speed,
+    signed_slip,
+    slip_target,
+)
+
+NOMINAL_PRESSURE = 3.0e5
+"""Cylinder pressure at full demand where the vehicle does not tell it, Pa."""
+SLIDE_SHARE, SLIDE_FLOOR = 0.01, 0.15
+"""A wheel slower than the train by more than this share, or this, m/s, slides."""
+LIMITED = 0.999
+"""Share of the demand below which a force counts as limited."""
+
+
+def friction_brake_force(
+    axle_setup: FloatArray, state: FloatArray, own: int, axle: int, pressure: float
+) -> float:
+    """Return the friction brake force that a cylinder pressure gives, [N]."""
+    first = axle_setup[axle, FIRST_PRESSURE]
+    full = axle_setup[axle, FULL_PRESSURE]
+    if full <= first:
+        first, full = 0.0, NOMINAL_PRESSURE
+    force: float = state[own + BRAKE_FORCE] * max(pressure - first, 0.0) / (full - first)
+    return force if force < 1.0e6 else 0.0
+
+
+def applied_force(
+    axle_setup: FloatArray, state: FloatArray, own: int, measured: FloatArray, axle: int
+) -> float:
+    """Return what brakes and motor apply at the tread now, driving positive, [N]."""
+    friction = 0.0
+    if axle_setup[axle, BRAKED] > 0.0:
+        pressure = measured[axle, CYLINDER_PRESSURE]
+        friction = friction_brake_force(axle_setup, state, own, axle, pressure)
+    applied: float = -friction - measured[axle, DYNAMIC_FORCE]
+    return applied
+
+
+def motor_force(
+    axle_setup: FloatArray, axle: int, wheel: float, effort_column: int, least: float
+) -> float:
+    """Return what the motor can give at this wheel speed: effort, or power over speed, [N]."""
+    power = axle_setup[axle, effort_column + 1]
+    force: float = min(axle_setup[axle, effort_column], power / max(wheel, least))
+    return force
+
+
+def aim(
+    parameters: FloatArray, state: FloatArray, n_axles: int, axle: int, demand: float, whole: float
+) -> float:
+    """Return F*, signed, and leave all that it was reckoned from in the state, [N]."""
+    train = train_base(n_axles)
+    own = own_base(n_axles, axle)
+    base = axle_base(axle)
+    wheel, reference = state[base + SPEED], state[REFERENCE]
+    fastest = max(wheel, reference)
+    slip = signed_slip(parameters, wheel, reference)
+    power = admissible_power(
+        parameters, state[own + STILL], state[own + MOVING], wheel, reference, state[train + FACTOR]
+    )
+    speed = friction_speed(parameters, power, state[own + FRICTION], state[own + LOAD])
+    wanted = slip_target(parameters, speed, fastest, 1.0 if demand > 0.0 else -1.0)
+    state[own + SLIP] = slip
+    state[own + POWER_TARGET] = power
+    state[own + FRICTION_SPEED] = speed
+    state[own + SLIP_TARGET] = wanted
+    return force_target(
+        parameters, slip, wanted, state[own + FRICTION], state[train + TRAIN_ACCELERATION],
+        state[own + MASS], whole, demand, fastest,
+    )  # fmt: skip
+
+
+def drive_axle(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
+    command: FloatArray, axle: int, dt: float,
+) -> None:  # fmt: skip
+    """Write the command of one axle while the train is driven."""
+    n_axles = measured.shape[0]
+    base = axle_base(axle)
+    own = own_base(n_axles, axle)
+    effort = motor_force(
+        axle_setup, axle, state[base + SPEED], TRACTIVE_EFFORT, parameters[LEAST_SPEED]
+    )
+    demand = effort * measured[axle, DRIVE_DEMAND]
+    share = 1.0
+    state[own + FORCE_TARGET] = demand
+    if demand > 0.0 and state[base + IS_FAULTY] == 0.0:
+        force = aim(parameters, state, n_axles, axle, demand, demand)
+        state[own + FORCE_TARGET] = force
+        share = min(1.0, force / demand)
+    command[axle, DYNAMIC_SHARE] = share
+    command[axle, FRICTION_SHARE] = 1.0
+    command[axle, DUMP_VALVE] = FILL
+    spin_speed = state[base + SPEED] - state[REFERENCE]
+    lower = threshold(SLIDE_SHARE, SLIDE_FLOOR, state[REFERENCE])
+    limited = share < LIMITED and spin_speed > lower
+    note_slide(state, base, VENT if limited else FILL, spin_speed, lower, dt)
+    command[axle, SANDING] = request_sand(parameters, state, base, dt)
+    command[axle, IS_SLIDING] = state[base + SLIDES]
+    command[axle, ALARM] = ALARM_SENSOR if state[base + IS_FAULTY] > 0.0 else 0.0
+
+
+def brake_axle(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
+    command: FloatArray, axle: int, dt: float,
+) -> None:  # fmt: skip
+    """Write the command of one axle while the train is braked, or rolls."""
+    n_axles = measured.shape[0]
+    base = axle_base(axle)
+    own = own_base(n_axles, axle)
+    reference = state[REFERENCE]
+    asked = measured[axle, BRAKE_DEMAND] * state[own + BRAKE_FORCE]
+    force = asked
+    is_protected = (
+        state[base + IS_FAULTY] == 0.0 and reference >= parameters[INHIBIT_SPEED] and asked > 0.0
+    )
+    if is_protected:
+        force = -aim(parameters, state, n_axles, axle, -asked, state[own + BRAKE_FORCE])
+        if state[FREED_AXLE] == axle + 1.0:
+            force = 0.0
+    slip_speed = reference - state[base + SPEED]
+    lower = threshold(SLIDE_SHARE, SLIDE_FLOOR, reference)
+    limited = force < LIMITED * asked
+    note_slide(state, base, VENT if limited and slip_speed > lower else FILL, slip_speed, lower, dt)
+    released = measured[axle, CYLINDER_PRESSURE] < parameters[EMPTY_PRESSURE]
+    stood = FILL if not limited else (VENT if released else HOLD)
+    if watch_release(parameters, state, base, measured, axle, stood, dt):
+        force = asked
+    state[own + FORCE_TARGET] = -force
+    _apply(parameters, axle_setup, state, measured, command, axle, asked, force, dt)
+    command[axle, SANDING] = request_sand(parameters, state, base, dt)
+    command[axle, IS_SLIDING] = state[base + SLIDES]
+    if state[base + IS_FAULTY] > 0.0:
+        command[axle, ALARM] = ALARM_SENSOR
+    else:
+        command[axle, ALARM] = ALARM_SAFETY_TIMER if state[base + SAFETY_FILL] > 0.0 else 0.0
+
+
+def _apply(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
+    command: FloatArray, axle: int, asked: float, force: float, dt: float,
+) -> None:  # fmt: skip
+    """Let the motor take what it can of the force, and the friction brake the rest."""
+    n_axles = measured.shape[0]
+    base = axle_base(axle)
+    own = own_base(n_axles, axle)
+    command[axle, DYNAMIC_SHARE] = 1.0
+    command[axle, FRICTION_SHARE] = 1.0
+    dynamic = max(measured[axle, DYNAMIC_FORCE], 0.0)
+    is_limited = force < LIMITED * asked
+    if axle_setup[axle, MOTORED] > 0.0 and is_limited:
+        able = motor_force(
+            axle_setup, axle, state[base + SPEED], BRAKING_EFFORT, parameters[LEAST_SPEED]
+        )
+        able = min(able, asked)
+        command[axle, DYNAMIC_SHARE] = min(1.0, force / able) if able > 0.0 else 0.0
+    rest = max(force - dynamic, 0.0)
+    if axle_setup[axle, CONTINUOUS] > 0.0 or axle_setup[axle, BRAKED] == 0.0:
+        left = asked - dynamic
+        if is_limited:
+            command[axle, FRICTION_SHARE] = min(1.0, rest / left) if left > 0.0 else 0.0
+        command[axle, DUMP_VALVE] = FILL
+    elif not is_limited:
+        command[axle, DUMP_VALVE] = FILL
+    elif parameters[VALVE_MODE] > 0.0 and force > 0.0:
+        command[axle, DUMP_VALVE] = _in_band(parameters, state, base, own)
+    else:
+        first, full = axle_setup[axle, FIRST_PRESSURE], axle_setup[axle, FULL_PRESSURE]
+        if full <= first:
+            first, full = 0.0, NOMINAL_PRESSURE
+        wanted = 0.0
+        if rest > 0.0:
+            wanted = first + (full - first) * rest / state[own + BRAKE_FORCE]
+        command[axle, DUMP_VALVE] = follow_pressure(
+            parameters, state, own, measured[axle, CYLINDER_PRESSURE], wanted,
+            full * measured[axle, BRAKE_DEMAND], dt,
+        )  # fmt: skip
+
+
+def _in_band(parameters: FloatArray, state: FloatArray, base: int, own: int) -> float:
+    """Return what the ordinary protection would do in a band about the slip target."""
+    aimed = abs(state[own + SLIP_TARGET]) * max(state[REFERENCE], state[base + SPEED])
+    relative = state[base + ACCELERATION] + state[DECELERATION]
+    slip_speed = state[REFERENCE] - state[base + SPEED]
+    lower = max(SLIDE_FLOOR, parameters[BAND_LOWER] * aimed)
+    upper = max(SLIDE_FLOOR + 0.1, parameters[BAND_UPPER] * aimed)
+    return wish(parameters, slip_speed, relative, lower, upper)
