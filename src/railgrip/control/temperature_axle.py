@@ -27,12 +27,10 @@ from railgrip.control.contract import (
     FloatArray,
 )
 from railgrip.control.conventional_parameters import (
-    EMPTY_PRESSURE,
+    DYNAMIC_LEAST_FORCE,
     INHIBIT_SPEED,
 )
 from railgrip.control.conventional_state import (
-    ACCELERATION,
-    DECELERATION,
     FREED_AXLE,
     IS_FAULTY,
     REFERENCE,
@@ -44,12 +42,11 @@ from railgrip.control.conventional_state import (
 from railgrip.control.pressure_following import follow_pressure
 from railgrip.control.safety_timer import watch_release
 from railgrip.control.sanding_request import request_sand
-from railgrip.control.slip_band import note_slide, threshold, wish
+from railgrip.control.slip_band import note_slide, threshold
 from railgrip.control.temperature_parameters import (
-    BAND_LOWER,
-    BAND_UPPER,
+    EXCESS_GAIN,
     LEAST_SPEED,
-    VALVE_MODE,
+    VALVE_EXCESS_GAIN,
 )
 from railgrip.control.temperature_state import (
     BRAKE_FORCE,
@@ -118,8 +115,9 @@ def motor_force(
 
 
 def aim(
-    parameters: FloatArray, state: FloatArray, n_axles: int, axle: int, demand: float, whole: float
-) -> float:
+    parameters: FloatArray, state: FloatArray, n_axles: int, axle: int, demand: float, whole: float,
+    is_continuous: bool,
+) -> float:  # fmt: skip
     """Return F*, signed, and leave all that it was reckoned from in the state, [N]."""
     train = train_base(n_axles)
     own = own_base(n_axles, axle)
@@ -136,9 +134,10 @@ def aim(
     state[own + POWER_TARGET] = power
     state[own + FRICTION_SPEED] = speed
     state[own + SLIP_TARGET] = wanted
+    excess = parameters[EXCESS_GAIN] if is_continuous else parameters[VALVE_EXCESS_GAIN]
     return force_target(
         parameters, slip, wanted, state[own + FRICTION], state[train + TRAIN_ACCELERATION],
-        state[own + MASS], whole, demand, fastest,
+        state[own + MASS], whole, excess, demand, fastest,
     )  # fmt: skip
 
 
@@ -157,7 +156,7 @@ def drive_axle(
     share = 1.0
     state[own + FORCE_TARGET] = demand
     if demand > 0.0 and state[base + IS_FAULTY] == 0.0:
-        force = aim(parameters, state, n_axles, axle, demand, demand)
+        force = aim(parameters, state, n_axles, axle, demand, effort, True)
         state[own + FORCE_TARGET] = force
         share = min(1.0, force / demand)
     command[axle, DYNAMIC_SHARE] = share
@@ -187,15 +186,18 @@ def brake_axle(
         state[base + IS_FAULTY] == 0.0 and reference >= parameters[INHIBIT_SPEED] and asked > 0.0
     )
     if is_protected:
-        force = -aim(parameters, state, n_axles, axle, -asked, state[own + BRAKE_FORCE])
+        whole = state[own + BRAKE_FORCE]
+        is_continuous = axle_setup[axle, CONTINUOUS] > 0.0
+        force = -aim(parameters, state, n_axles, axle, -asked, whole, is_continuous)
         if state[FREED_AXLE] == axle + 1.0:
             force = 0.0
     slip_speed = reference - state[base + SPEED]
     lower = threshold(SLIDE_SHARE, SLIDE_FLOOR, reference)
     limited = force < LIMITED * asked
     note_slide(state, base, VENT if limited and slip_speed > lower else FILL, slip_speed, lower, dt)
-    released = measured[axle, CYLINDER_PRESSURE] < parameters[EMPTY_PRESSURE]
-    stood = FILL if not limited else (VENT if released else HOLD)
+    # an axle that its motor brakes is not released, whatever its cylinder says
+    by_motor = measured[axle, DYNAMIC_FORCE] > parameters[DYNAMIC_LEAST_FORCE]
+    stood = HOLD if limited and not by_motor else FILL
     if watch_release(parameters, state, base, measured, axle, stood, dt):
         force = asked
     state[own + FORCE_TARGET] = -force
@@ -234,8 +236,6 @@ def _apply(
         command[axle, DUMP_VALVE] = FILL
     elif not is_limited:
         command[axle, DUMP_VALVE] = FILL
-    elif parameters[VALVE_MODE] > 0.0 and force > 0.0:
-        command[axle, DUMP_VALVE] = _in_band(parameters, state, base, own)
     else:
         first, full = axle_setup[axle, FIRST_PRESSURE], axle_setup[axle, FULL_PRESSURE]
         if full <= first:
@@ -247,13 +247,3 @@ def _apply(
             parameters, state, own, measured[axle, CYLINDER_PRESSURE], wanted,
             full * measured[axle, BRAKE_DEMAND], dt,
         )  # fmt: skip
-
-
-def _in_band(parameters: FloatArray, state: FloatArray, base: int, own: int) -> float:
-    """Return what the ordinary protection would do in a band about the slip target."""
-    aimed = abs(state[own + SLIP_TARGET]) * max(state[REFERENCE], state[base + SPEED])
-    relative = state[base + ACCELERATION] + state[DECELERATION]
-    slip_speed = state[REFERENCE] - state[base + SPEED]
-    lower = max(SLIDE_FLOOR, parameters[BAND_LOWER] * aimed)
-    upper = max(SLIDE_FLOOR + 0.1, parameters[BAND_UPPER] * aimed)
-    return wish(parameters, slip_speed, relative, lower, upper)

@@ -56,8 +56,10 @@ class TemperatureOnly(NamedTuple):
     gain_speed : float
         Below this speed the slip error counts in proportion to the speed, [m/s]: the wheel answers
         ever faster, brake and observer do not (illustrative).
-    excess_gain : float
-        How much more a slip beyond its target counts than one below it (illustrative).
+    excess_gain, valve_excess_gain : float
+        How much more a slip beyond its target counts than one below it, for continuous brakes and
+        motors and behind dump valves (chosen here: the first leads back under the limit within
+        0.3 s of a threefold adhesion, the second spares air).
     nominal_deceleration : float
         Friction brake at full demand, for axles of which no force is known, [m/s²] (illustrative).
     vent_time, fill_time : float
@@ -67,10 +69,6 @@ class TemperatureOnly(NamedTuple):
     pressure_band : float
         Half the width of the band about the wanted pressure in which the valve holds, [Pa]
         (illustrative).
-    valve_mode : float
-        0: the valve follows the wanted pressure; 1: the ordinary slip band about the slip target.
-    band_lower, band_upper : float
-        That band, over the slip target (illustrative).
 
     Examples
     --------
@@ -100,15 +98,13 @@ class TemperatureOnly(NamedTuple):
     greatest_slip: float = 0.25
     slip_scale: float = 0.3
     gain_speed: float = 10.0
-    excess_gain: float = 1.0
+    excess_gain: float = 8.0
+    valve_excess_gain: float = 2.0
     nominal_deceleration: float = 1.2
     vent_time: float = 0.30
     fill_time: float = 0.43
     valve_delay: float = 0.055
-    pressure_band: float = 0.06e5
-    valve_mode: float = 0.0
-    band_lower: float = 0.7
-    band_upper: float = 1.1
+    pressure_band: float = 0.15e5
 
 
 TemperatureParameters: Any = joined(
@@ -136,11 +132,9 @@ GREATEST_SLIP: Final = _place("greatest_slip")
 SLIP_SCALE: Final = _place("slip_scale")
 GAIN_SPEED: Final = _place("gain_speed")
 EXCESS_GAIN: Final = _place("excess_gain")
+VALVE_EXCESS_GAIN: Final = _place("valve_excess_gain")
 NOMINAL_DECELERATION: Final = _place("nominal_deceleration")
 VENT_TIME: Final = _place("vent_time")
 FILL_TIME: Final = _place("fill_time")
 VALVE_DELAY: Final = _place("valve_delay")
 PRESSURE_BAND: Final = _place("pressure_band")
-VALVE_MODE: Final = _place("valve_mode")
-BAND_LOWER: Final = _place("band_lower")
-BAND_UPPER: Final = _place("band_upper")

@@ -9,7 +9,6 @@ import math
 
 from railgrip.control.contract import FloatArray
 from railgrip.control.temperature_parameters import (
-    EXCESS_GAIN,
     GAIN_SPEED,
     GREATEST_SLIP,
     HEAT_LAW,
@@ -119,6 +118,7 @@ def force_target(
     train_acceleration: float,
     mass: float,
     whole_force: float,
+    excess_gain: float,
     demand: float,
     fastest: float,
 ) -> float:
@@ -138,6 +138,8 @@ def force_target(
         Rotating mass at the tread, [kg].
     whole_force : float
         Magnitude that a slip error of s_max asks for, [N].
+    excess_gain : float
+        Factor on a slip error beyond the target.
     demand : float
         The driver's, signed, [N].
     fastest : float
@@ -152,13 +154,14 @@ def force_target(
     --------
     >>> from railgrip.control.temperature_parameters import TemperatureParameters
     >>> settled = TemperatureParameters(gain_speed=1.0)
-    >>> round(force_target(settled, -0.1, -0.1, -6e3, -0.5, 1000.0, 15e3, -15e3, 20.0))
+    >>> round(force_target(settled, -0.1, -0.1, -6e3, -0.5, 1000.0, 15e3, 1.0, -15e3, 20.0))
     -6450
     """
-    gain = whole_force / parameters[SLIP_SCALE] * min(fastest / parameters[GAIN_SPEED], 1.0)
+    pace = max(fastest, parameters[LEAST_SPEED]) / parameters[GAIN_SPEED]
+    gain = whole_force / parameters[SLIP_SCALE] * min(pace, 1.0)
     error = wanted - slip
     if abs(slip) > abs(wanted):
-        gain *= parameters[EXCESS_GAIN]
+        gain *= excess_gain
     force: float = gain * error + mass * (1.0 - min(abs(slip), 1.0)) * train_acceleration + friction
     if demand < 0.0:
         return max(demand, min(force, 0.0))
