@@ -19,7 +19,7 @@ from railgrip.control.contract import (
     ROTATING_MASS,
     FloatArray,
 )
-from railgrip.control.conventional_parameters import ROTATING_SHARE
+from railgrip.control.conventional_parameters import ROTATING_SHARE, SLIP_LOWER
 from railgrip.control.conventional_state import DECELERATION, REFERENCE, SPEED, axle_base
 from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.diameter_compensation import learn_diameters
@@ -101,7 +101,7 @@ def temperature_kernel(
     if driving:
         observe_driven_train(parameters, axle_setup, state, measured, dt)
     else:
-        observe_train(parameters, axle_setup, state, measured, dt)
+        observe_train(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
         learn_diameters(parameters, state, measured, dt)
     state[train + IS_DRIVING] = 1.0 if driving else 0.0
     state[train + TRAIN_ACCELERATION] = -state[DECELERATION]

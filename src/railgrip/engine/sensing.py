@@ -137,7 +137,8 @@ def obey(L: int, S: Any, command: Any, n_axles: int, k: int, slot: int) -> None:
         wrong += abs(min(max(friction, 0.0), 1.0) - friction)
         S[b + slot * L] = valve
         S[b + to.DYNAMIC_SHARE * L] = share
-        S[b + to.FRICTION_SHARE * L] = friction
+        # what is no share releases the brake until the run is ended for it
+        S[b + to.FRICTION_SHARE * L] = friction if 0.0 <= friction <= 1.0 else 0.0
     if wrong != 0.0:
         S[to.CONTROLLER_ERROR * L + k] = 1.0
 
