@@ -17,7 +17,6 @@ from railgrip.control.conventional_state import (
     SPEED,
     axle_base,
 )
-from railgrip.control.wheel_speed import read_wheel
 
 SLOPE_FILTER = 0.3
 """Time constant of the train's acceleration, s."""
@@ -25,16 +24,17 @@ ENOUGH = 3
 """From so many trailing wheels on, the second fastest is believed: one may be wrong either way."""
 
 
-def observe_driven_train(
-    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
-    dt: float,
-) -> None:  # fmt: skip
-    """Update wheel speeds and reference speed in the state.
+def follow_trailing_wheels(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, n_axles: int, dt: float
+) -> None:
+    """Update the reference speed in the state; the wheels have been read.
 
     Parameters
     ----------
-    parameters, axle_setup, state, measured : ndarray
+    parameters, axle_setup, state : ndarray
         As in the controller contract.
+    n_axles : int
+        Number of axles.
     dt : float
         Period, [s].
 
@@ -46,9 +46,8 @@ def observe_driven_train(
     """
     fastest, second, slowest = 0.0, 0.0, 1.0e9
     n_trailing = 0
-    for axle in range(measured.shape[0]):
+    for axle in range(n_axles):
         base = axle_base(axle)
-        read_wheel(parameters, state, base, measured, axle, dt)
         if state[base + IS_FAULTY] > 0.0:
             continue
         speed = state[base + SPEED]

@@ -19,15 +19,17 @@ from railgrip.control.contract import (
     ROTATING_MASS,
     FloatArray,
 )
-from railgrip.control.conventional_parameters import ROTATING_SHARE, SLIP_LOWER
+from railgrip.control.conventional_parameters import ROTATING_SHARE
 from railgrip.control.conventional_state import DECELERATION, REFERENCE, SPEED, axle_base
 from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.diameter_compensation import learn_diameters
-from railgrip.control.driving_reference import is_driving, observe_driven_train
+from railgrip.control.driving_reference import follow_trailing_wheels, is_driving
+from railgrip.control.force_reckoning import reckon_with_forces
 from railgrip.control.plain_form import KernelController
 from railgrip.control.temperature_axle import applied_force, brake_axle, drive_axle
 from railgrip.control.temperature_limit import limit_factor
 from railgrip.control.temperature_parameters import (
+    ACCURACY,
     COURSE,
     NOMINAL_DECELERATION,
     OBSERVER_WINDOW,
@@ -41,7 +43,6 @@ from railgrip.control.temperature_state import (
     CLOCK,
     FACTOR,
     FORCE_BEFORE,
-    IS_DRIVING,
     LOAD,
     MASS,
     MOVING,
@@ -53,7 +54,7 @@ from railgrip.control.temperature_state import (
     state_size,
     train_base,
 )
-from railgrip.control.train_observer import observe_train
+from railgrip.control.train_observer import look_at_wheels
 from railgrip.core.constants import GRAVITY
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.formulas.flash_temperature import STEEL_ERTZ_2002, flash_conductance
@@ -98,20 +99,22 @@ def temperature_kernel(
     n_axles = measured.shape[0]
     train = train_base(n_axles)
     driving = is_driving(measured)
-    if driving:
-        observe_driven_train(parameters, axle_setup, state, measured, dt)
-    else:
-        observe_train(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
-        learn_diameters(parameters, state, measured, dt)
-    state[train + IS_DRIVING] = 1.0 if driving else 0.0
-    state[train + TRAIN_ACCELERATION] = -state[DECELERATION]
-    state[train + FACTOR] = limit_factor(parameters, state[train + CLOCK], measured[0, EMERGENCY])
+    accuracy = parameters[ACCURACY]
+    wheels = look_at_wheels(parameters, axle_setup, state, measured, accuracy, dt)
     sample = int(state[train + SAMPLE])
     span = int(parameters[OBSERVER_WINDOW] / dt + 0.5)
     for axle in range(n_axles):
         own = own_base(n_axles, axle)
         applied = applied_force(axle_setup, state, own, measured, axle)
         observe_friction(state, own, sample, span, state[axle_base(axle) + SPEED], applied, dt)
+    if driving:
+        follow_trailing_wheels(parameters, axle_setup, state, n_axles, dt)
+    else:
+        reckon_with_forces(parameters, state, wheels, n_axles, accuracy, dt)
+        learn_diameters(parameters, state, measured, dt)
+    state[train + TRAIN_ACCELERATION] = -state[DECELERATION]
+    state[train + FACTOR] = limit_factor(parameters, state[train + CLOCK], measured[0, EMERGENCY])
+    for axle in range(n_axles):
         if driving:
             drive_axle(parameters, axle_setup, state, measured, command, axle, dt)
         else:

@@ -43,6 +43,10 @@ class TemperatureOnly(NamedTuple):
         of 0.3 m).
     patch_load : float
         Axle load for which they hold, [N]; heavier axles have larger patches.
+    accuracy : float
+        How exactly the train speed must be known, as a slip, where the ordinary protection takes
+        its lower threshold: with `drift_share` it decides when an axle is let run free (chosen
+        here).
     observer_window : float
         Window over which wheel speed and applied force are compared, [s] (trial: 0.1).
     least_adhesion : float
@@ -92,6 +96,7 @@ class TemperatureOnly(NamedTuple):
     semi_axis_along: float = 5.955e-3
     semi_axis_across: float = 4.721e-3
     patch_load: float = 127.5e3
+    accuracy: float = 0.02
     observer_window: float = 0.1
     least_adhesion: float = 0.01
     least_speed: float = 1.0
@@ -125,6 +130,7 @@ LINEAR_FACTOR: Final = _place("linear_factor")
 SEMI_AXIS_ALONG: Final = _place("semi_axis_along")
 SEMI_AXIS_ACROSS: Final = _place("semi_axis_across")
 PATCH_LOAD: Final = _place("patch_load")
+ACCURACY: Final = _place("accuracy")
 OBSERVER_WINDOW: Final = _place("observer_window")
 LEAST_ADHESION: Final = _place("least_adhesion")
 LEAST_SPEED: Final = _place("least_speed")

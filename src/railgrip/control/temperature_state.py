@@ -15,9 +15,8 @@ from railgrip.control.contract import FloatArray
 CLOCK: Final = 0  # since the controller began, s
 SAMPLE: Final = 1  # place of the newest sample in the windows
 FACTOR: Final = 2  # on the admissible rises at present
-IS_DRIVING: Final = 3  # 1 while the driver asks the motors and not the brake
-TRAIN_ACCELERATION: Final = 4  # signed, m/s²
-N_TRAIN: Final = 5
+TRAIN_ACCELERATION: Final = 3  # signed, m/s²
+N_TRAIN: Final = 4
 
 # Each axle.
 MASS: Final = 0  # rotating mass at the tread, kg
@@ -57,7 +56,7 @@ def own_base(n_axles: int, axle: int) -> int:
     Examples
     --------
     >>> own_base(2, 0)
-    51
+    50
     """
     return train_base(n_axles) + N_TRAIN + axle * N_OWN
 
@@ -68,7 +67,7 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(1)
-    112
+    111
     """
     return own_base(n_axles, n_axles)
 
