@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from railgrip.control.axle_forces import motor_force, pressure_for, pressures
 from railgrip.control.axle_protection import ALARM_SAFETY_TIMER, ALARM_SENSOR
 from railgrip.control.contract import (
     ALARM,
@@ -15,9 +16,7 @@ from railgrip.control.contract import (
     DYNAMIC_FORCE,
     DYNAMIC_SHARE,
     FILL,
-    FIRST_PRESSURE,
     FRICTION_SHARE,
-    FULL_PRESSURE,
     HOLD,
     IS_SLIDING,
     MOTORED,
@@ -73,45 +72,10 @@ from railgrip.control.temperature_targets import (
     slip_target,
 )
 
-NOMINAL_PRESSURE = 3.0e5
-"""Cylinder pressure at full demand where the vehicle does not tell it, Pa."""
 SLIDE_SHARE, SLIDE_FLOOR = 0.01, 0.15
 """A wheel slower than the train by more than this share, or this, m/s, slides."""
 LIMITED = 0.999
 """Share of the demand below which a force counts as limited."""
-
-
-def friction_brake_force(
-    axle_setup: FloatArray, state: FloatArray, own: int, axle: int, pressure: float
-) -> float:
-    """Return the friction brake force that a cylinder pressure gives, [N]."""
-    first = axle_setup[axle, FIRST_PRESSURE]
-    full = axle_setup[axle, FULL_PRESSURE]
-    if full <= first:
-        first, full = 0.0, NOMINAL_PRESSURE
-    force: float = state[own + BRAKE_FORCE] * max(pressure - first, 0.0) / (full - first)
-    return force if force < 1.0e6 else 0.0
-
-
-def applied_force(
-    axle_setup: FloatArray, state: FloatArray, own: int, measured: FloatArray, axle: int
-) -> float:
-    """Return what brakes and motor apply at the tread now, driving positive, [N]."""
-    friction = 0.0
-    if axle_setup[axle, BRAKED] > 0.0:
-        pressure = measured[axle, CYLINDER_PRESSURE]
-        friction = friction_brake_force(axle_setup, state, own, axle, pressure)
-    applied: float = -friction - measured[axle, DYNAMIC_FORCE]
-    return applied
-
-
-def motor_force(
-    axle_setup: FloatArray, axle: int, wheel: float, effort_column: int, least: float
-) -> float:
-    """Return what the motor can give at this wheel speed: effort, or power over speed, [N]."""
-    power = axle_setup[axle, effort_column + 1]
-    force: float = min(axle_setup[axle, effort_column], power / max(wheel, least))
-    return force
 
 
 def aim(
@@ -237,13 +201,9 @@ def _apply(
     elif not is_limited:
         command[axle, DUMP_VALVE] = FILL
     else:
-        first, full = axle_setup[axle, FIRST_PRESSURE], axle_setup[axle, FULL_PRESSURE]
-        if full <= first:
-            first, full = 0.0, NOMINAL_PRESSURE
-        wanted = 0.0
-        if rest > 0.0:
-            wanted = first + (full - first) * rest / state[own + BRAKE_FORCE]
+        wanted = pressure_for(axle_setup, state, own, axle, rest)
+        supply = pressures(axle_setup, axle)[1] * measured[axle, BRAKE_DEMAND]
+        pressure = measured[axle, CYLINDER_PRESSURE]
         command[axle, DUMP_VALVE] = follow_pressure(
-            parameters, state, own, measured[axle, CYLINDER_PRESSURE], wanted,
-            full * measured[axle, BRAKE_DEMAND], dt,
-        )  # fmt: skip
+            parameters, state, own, pressure, wanted, supply, dt
+        )

@@ -11,6 +11,7 @@ After EP 2 231 448 (Knorr-Bremse); its owner's consent may be needed to use it i
 from __future__ import annotations
 
 from railgrip.control.adhesion_window import observe_friction
+from railgrip.control.axle_forces import applied_force
 from railgrip.control.contract import (
     AXLE_LOAD,
     EMERGENCY,
@@ -26,7 +27,7 @@ from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.driving_reference import follow_trailing_wheels, is_driving
 from railgrip.control.force_reckoning import reckon_with_forces
 from railgrip.control.plain_form import KernelController
-from railgrip.control.temperature_axle import applied_force, brake_axle, drive_axle
+from railgrip.control.temperature_axle import brake_axle, drive_axle
 from railgrip.control.temperature_limit import limit_factor
 from railgrip.control.temperature_parameters import (
     ACCURACY,
