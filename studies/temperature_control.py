@@ -32,7 +32,7 @@ JUDGED_ABOVE: Final = 3.0  # m/s: at 1.4 m/s the slide protection ends, and whee
 SET_POINTS: Final = (0.65, 0.60, 0.55, 0.50, 0.45, 0.40, 0.35, 0.30, 0.25, 0.20)
 CHOSEN_BELOW: Final = 0.90
 """Greatest rise over the limit on the tuning seeds with which a set point is chosen."""
-UNIFORM_SET_POINT: Final = 0.98
+UNIFORM_SET_POINT: Final = 0.975
 VALVE_SET_POINT: Final = 0.90
 TRAINS: Final = {"continuous": "emu_four_car_emb", "valves": "emu_four_car"}
 BANDS: Final = {"3-6 %": (0.03, 0.06), "8-16 %": (0.08, 0.16), "5-20 %": (0.05, 0.20)}

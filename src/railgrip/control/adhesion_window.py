@@ -15,8 +15,9 @@ from railgrip.control.temperature_state import (
 
 
 def observe_friction(
-    state: FloatArray, own: int, sample: int, span: int, speed: float, applied: float, dt: float
-) -> None:
+    state: FloatArray, own: int, sample: int, length: int, speed: float, applied: float,
+    dt: float, per_time: float,
+) -> None:  # fmt: skip
     """Update the observed force of one axle in the state.
 
     Parameters
@@ -27,14 +28,14 @@ def observe_friction(
         Where the axle's own block begins.
     sample : int
         Number of this sample since the controller began.
-    span : int
-        Samples in the window, below `N_WINDOW`.
+    length : int
+        Samples in the window, below `N_WINDOW` and not more than there have been before.
     speed : float
         Of the wheel, [m/s].
     applied : float
         Sum of brake and motor forces at the tread now, driving positive, [N].
-    dt : float
-        Period, [s].
+    dt, per_time : float
+        Period [s]; one over the length of the window, [1/s].
 
     Notes
     -----
@@ -44,14 +45,13 @@ def observe_friction(
     """
     state[own + IMPULSE] += state[own + FORCE_BEFORE] * dt
     state[own + FORCE_BEFORE] = applied
-    now = sample % N_WINDOW
+    now = sample & (N_WINDOW - 1)
     state[own + SPEEDS + now] = speed
     state[own + IMPULSES + now] = state[own + IMPULSE]
-    length = min(span, sample)
     if length < 1:
         state[own + FRICTION] = applied
         return
-    then = (sample - length) % N_WINDOW
+    then = (sample - length) & (N_WINDOW - 1)
     gained = state[own + MASS] * (speed - state[own + SPEEDS + then])
     given = state[own + IMPULSE] - state[own + IMPULSES + then]
-    state[own + FRICTION] = (given - gained) / (length * dt)
+    state[own + FRICTION] = (given - gained) * per_time

@@ -10,7 +10,7 @@ from railgrip.control.contract import (
     FULL_PRESSURE,
     FloatArray,
 )
-from railgrip.control.temperature_state import BRAKE_FORCE
+from railgrip.control.temperature_state import FORCE_PER_PRESSURE
 
 NOMINAL_PRESSURE = 3.0e5
 """Cylinder pressure at full demand where the vehicle does not tell it, Pa."""
@@ -22,8 +22,7 @@ def pressure_for(
     """Return the cylinder pressure that gives a friction brake force at the tread, [Pa]."""
     if force <= 0.0:
         return 0.0
-    first, full = pressures(axle_setup, axle)
-    pressure: float = first + (full - first) * force / state[own + BRAKE_FORCE]
+    pressure: float = pressures(axle_setup, axle)[0] + force / state[own + FORCE_PER_PRESSURE]
     return pressure
 
 
@@ -35,12 +34,18 @@ def pressures(axle_setup: FloatArray, axle: int) -> tuple[float, float]:
     return first, full
 
 
+def force_per_pressure(axle_setup: FloatArray, axle: int, full_force: float) -> float:
+    """Return what each Pascal above the first gives at the tread, [N/Pa]."""
+    first, full = pressures(axle_setup, axle)
+    return full_force / (full - first)
+
+
 def friction_brake_force(
     axle_setup: FloatArray, state: FloatArray, own: int, axle: int, pressure: float
 ) -> float:
     """Return the friction brake force that a cylinder pressure gives, [N]."""
-    first, full = pressures(axle_setup, axle)
-    force: float = state[own + BRAKE_FORCE] * max(pressure - first, 0.0) / (full - first)
+    over = max(pressure - pressures(axle_setup, axle)[0], 0.0)
+    force: float = state[own + FORCE_PER_PRESSURE] * over
     return force if force < 1.0e6 else 0.0
 
 

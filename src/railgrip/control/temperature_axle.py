@@ -30,6 +30,7 @@ from railgrip.control.conventional_parameters import (
     INHIBIT_SPEED,
 )
 from railgrip.control.conventional_state import (
+    ACCELERATION,
     FREED_AXLE,
     IS_FAULTY,
     REFERENCE,
@@ -46,6 +47,7 @@ from railgrip.control.temperature_parameters import (
     EXCESS_GAIN,
     LEAST_SPEED,
     VALVE_EXCESS_GAIN,
+    VALVE_LEAD,
 )
 from railgrip.control.temperature_state import (
     BRAKE_FORCE,
@@ -89,6 +91,10 @@ def aim(
     wheel, reference = state[base + SPEED], state[REFERENCE]
     fastest = max(wheel, reference)
     slip = signed_slip(parameters, wheel, reference)
+    relative = state[base + ACCELERATION] - state[train + TRAIN_ACCELERATION]
+    foreseen = slip
+    if not is_continuous:
+        foreseen += parameters[VALVE_LEAD] * relative / max(fastest, parameters[LEAST_SPEED])
     power = admissible_power(
         parameters, state[own + STILL], state[own + MOVING], wheel, reference, state[train + FACTOR]
     )
@@ -100,7 +106,7 @@ def aim(
     state[own + SLIP_TARGET] = wanted
     excess = parameters[EXCESS_GAIN] if is_continuous else parameters[VALVE_EXCESS_GAIN]
     return force_target(
-        parameters, slip, wanted, state[own + FRICTION], state[train + TRAIN_ACCELERATION],
+        parameters, foreseen, wanted, state[own + FRICTION], state[train + TRAIN_ACCELERATION],
         state[own + MASS], whole, excess, demand, fastest,
     )  # fmt: skip
 

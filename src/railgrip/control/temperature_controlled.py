@@ -11,7 +11,7 @@ After EP 2 231 448 (Knorr-Bremse); its owner's consent may be needed to use it i
 from __future__ import annotations
 
 from railgrip.control.adhesion_window import observe_friction
-from railgrip.control.axle_forces import applied_force
+from railgrip.control.axle_forces import applied_force, force_per_pressure
 from railgrip.control.contract import (
     AXLE_LOAD,
     EMERGENCY,
@@ -44,6 +44,7 @@ from railgrip.control.temperature_state import (
     CLOCK,
     FACTOR,
     FORCE_BEFORE,
+    FORCE_PER_PRESSURE,
     LOAD,
     MASS,
     MOVING,
@@ -85,6 +86,7 @@ def temperature_initial(
         state[own + STILL] = still * still
         # a patch grows with the load^(1/3), so what moving steel takes up grows with its root
         state[own + MOVING] = (moving * moving - still * still) * load / parameters[PATCH_LOAD]
+        state[own + FORCE_PER_PRESSURE] = force_per_pressure(axle_setup, axle, force)
         state[own + FORCE_BEFORE] = applied_force(axle_setup, state, own, measured, axle)
 
 
@@ -103,11 +105,13 @@ def temperature_kernel(
     accuracy = parameters[ACCURACY]
     wheels = look_at_wheels(parameters, axle_setup, state, measured, accuracy, dt)
     sample = int(state[train + SAMPLE])
-    span = int(parameters[OBSERVER_WINDOW] / dt + 0.5)
+    length = min(int(parameters[OBSERVER_WINDOW] / dt + 0.5), sample)
+    per_time = 1.0 / (max(length, 1) * dt)
     for axle in range(n_axles):
         own = own_base(n_axles, axle)
         applied = applied_force(axle_setup, state, own, measured, axle)
-        observe_friction(state, own, sample, span, state[axle_base(axle) + SPEED], applied, dt)
+        speed = state[axle_base(axle) + SPEED]
+        observe_friction(state, own, sample, length, speed, applied, dt, per_time)
     if driving:
         follow_trailing_wheels(parameters, axle_setup, state, n_axles, dt)
     else:

@@ -64,6 +64,9 @@ class TemperatureOnly(NamedTuple):
         How much more a slip beyond its target counts than one below it, for continuous brakes and
         motors and behind dump valves (chosen here: the first leads back under the limit within
         0.3 s of a threefold adhesion, the second spares air).
+    valve_lead : float
+        How far ahead the slip is foreseen from the wheel's acceleration behind dump valves, [s]
+        (chosen here; a continuous brake is worse with it).
     nominal_deceleration : float
         Friction brake at full demand, for axles of which no force is known, [m/s²] (illustrative).
     vent_time, fill_time : float
@@ -105,6 +108,7 @@ class TemperatureOnly(NamedTuple):
     gain_speed: float = 10.0
     excess_gain: float = 8.0
     valve_excess_gain: float = 2.0
+    valve_lead: float = 0.1
     nominal_deceleration: float = 1.2
     vent_time: float = 0.30
     fill_time: float = 0.43
@@ -139,6 +143,7 @@ SLIP_SCALE: Final = _place("slip_scale")
 GAIN_SPEED: Final = _place("gain_speed")
 EXCESS_GAIN: Final = _place("excess_gain")
 VALVE_EXCESS_GAIN: Final = _place("valve_excess_gain")
+VALVE_LEAD: Final = _place("valve_lead")
 NOMINAL_DECELERATION: Final = _place("nominal_deceleration")
 VENT_TIME: Final = _place("vent_time")
 FILL_TIME: Final = _place("fill_time")

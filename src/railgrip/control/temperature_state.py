@@ -33,8 +33,9 @@ FRICTION_SPEED: Final = 10  # P_soll over the observed force, m/s
 SLIP_TARGET: Final = 11  # s_soll, driving positive
 FORCE_TARGET: Final = 12  # F*, driving positive, N
 FLIGHT: Final = 13  # pressure change commanded and not yet felt, Pa
-SPEEDS: Final = 14  # wheel speeds of the window, m/s
-N_WINDOW: Final = 32
+FORCE_PER_PRESSURE: Final = 14  # of the friction brake at the tread, N/Pa
+SPEEDS: Final = 15  # wheel speeds of the window, m/s
+N_WINDOW: Final = 32  # a power of two
 IMPULSES: Final = SPEEDS + N_WINDOW  # the impulse at the same times, Ns
 N_OWN: Final = IMPULSES + N_WINDOW
 
@@ -67,7 +68,7 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(1)
-    111
+    112
     """
     return own_base(n_axles, n_axles)
 

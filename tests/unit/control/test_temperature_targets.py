@@ -119,12 +119,18 @@ def test_the_limit_follows_its_course() -> None:
     assert limit_factor(steps, 9.0, 1.0) == 3.0
 
 
+def observe(state: np.ndarray, sample: int, speed: float) -> None:
+    """A window of ten samples, and 8 kN applied."""
+    length = min(10, sample)
+    observe_friction(state, 0, sample, length, speed, -8e3, 0.01, 100.0 / max(length, 1))
+
+
 def test_the_window_finds_the_force_of_the_rail() -> None:
     """A wheel of 1 t braked by 8 kN that slows by 2 m/s²: the rail gives 6 kN."""
     state = np.zeros(N_OWN)
     state[MASS] = 1000.0
     for sample in range(40):
-        observe_friction(state, 0, sample, 10, 30.0 - 0.02 * sample, -8e3, 0.01)
+        observe(state, sample, 30.0 - 0.02 * sample)
     assert state[FRICTION] == pytest.approx(-6e3, rel=1e-9)
 
 
@@ -134,7 +140,7 @@ def test_the_window_lags_by_half_its_length() -> None:
     speed, seen = 30.0, []
     for sample in range(100):
         rail = -4e3 if sample < 50 else -8e3
-        observe_friction(state, 0, sample, 10, speed, -8e3, 0.01)
+        observe(state, sample, speed)
         seen.append(state[FRICTION])
         speed += (-8e3 - rail) / 1000.0 * 0.01
     assert seen[49] == pytest.approx(-4e3)
