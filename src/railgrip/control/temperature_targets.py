@@ -54,8 +54,8 @@ def admissible_power(
     --------
     >>> from railgrip.control.temperature_parameters import TemperatureParameters
     >>> one = TemperatureParameters(rise_wheel=200.0, rise_rail=0.0, set_point=1.0)
-    >>> round(admissible_power(one, 1.22, 67.43, 20.0, 20.0, 1.0))
-    29393
+    >>> round(admissible_power(one, 0.503, 67.46, 20.0, 20.0, 1.0))
+    29391
     """
     aim = parameters[SET_POINT] * factor
     rise_wheel = aim * (parameters[RISE_WHEEL] if parameters[RISE_WHEEL] > 0.0 else ABSENT)

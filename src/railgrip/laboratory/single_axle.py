@@ -92,7 +92,7 @@ def polach_force(rail: RailFriction, load: float, slope: float) -> FrictionForce
     --------
     >>> low = RailFriction(0.06, 1.0, 0.0, 1.0, 0.4)
     >>> round(polach_force(low, 127.5e3, 14e6)(18.0, 20.0))
-    -7605
+    -7599
     """
 
     def force(wheel: float, train: float) -> float:
