@@ -52,7 +52,16 @@ BELIEVED_RADIUS: Final = 0
 MOTORED: Final = 1
 BRAKED: Final = 2
 AXLE_LOAD: Final = 3
-N_SETUP: Final = 4
+ROTATING_MASS: Final = 4
+FULL_FORCE: Final = 5
+FULL_PRESSURE: Final = 6
+FIRST_PRESSURE: Final = 7
+CONTINUOUS: Final = 8
+BRAKING_EFFORT: Final = 9
+BRAKING_POWER: Final = 10
+TRACTIVE_EFFORT: Final = 11
+TRACTIVE_POWER: Final = 12
+N_SETUP: Final = 13
 
 # Columns of command[axle, column]; the content of the last call is still there in the next.
 DUMP_VALVE: Final = 0
@@ -63,7 +72,35 @@ IS_SLIDING: Final = 4
 ALARM: Final = 5
 SLIP_RANGE: Final = 6
 WSP_STATE: Final = 7
-N_COMMAND: Final = 8
+FRICTION_SHARE: Final = 8
+N_COMMAND: Final = 9
+
+
+class AxleData(NamedTuple):
+    """What a vehicle knows of its axles and brakes, for controllers that reckon in forces.
+
+    Parameters
+    ----------
+    rotating_mass : ndarray (axle)
+        Rotating mass reduced to the tread, [kg].
+    full_force, full_pressure, first_pressure : ndarray (axle)
+        Nominal friction brake force at the tread at full demand [N], the cylinder pressure that
+        gives it, and the one at which the force begins, [Pa]; 0 without a friction brake.
+    continuous : ndarray of bool (axle)
+        Whether the friction brake follows `Command.friction_share`.
+    braking_effort, braking_power, tractive_effort, tractive_power : ndarray (axle)
+        Greatest force [N] and power [W] at the tread of the axle's motor, braking and driving.
+    """
+
+    rotating_mass: FloatArray
+    full_force: FloatArray
+    full_pressure: FloatArray
+    first_pressure: FloatArray
+    continuous: NDArray[np.bool_]
+    braking_effort: FloatArray
+    braking_power: FloatArray
+    tractive_effort: FloatArray
+    tractive_power: FloatArray
 
 
 class Setup(NamedTuple):
@@ -79,9 +116,11 @@ class Setup(NamedTuple):
         Rolling radius as the controller believes it, [m]; the wheel may be worn.
     motored, braked : ndarray of bool (axle)
         Whether the axle has a motor (dynamic brake or traction), whether it has a friction brake
-        with a dump valve.
+        that a controller can release (a dump valve, or an electro-mechanical brake).
     axle_load : ndarray (axle), optional
-        Load of the axle as the vehicle weighs it, [N]; only its ratio to other axles counts.
+        Load of the axle as the vehicle weighs it, [N].
+    axles : AxleData, optional
+        More of its axles, where the vehicle knows it.
     """
 
     n_axles: int
@@ -90,6 +129,7 @@ class Setup(NamedTuple):
     motored: NDArray[np.bool_]
     braked: NDArray[np.bool_]
     axle_load: FloatArray | None = None
+    axles: AxleData | None = None
 
 
 class Measured(NamedTuple):
@@ -101,7 +141,8 @@ class Measured(NamedTuple):
         Speed at the tread from the toothed wheel, quantised, delayed, by the believed radius,
         [m/s]; NaN where the sensor is known to have failed.
     brake_cylinder_pressure : ndarray (axle)
-        Gauge pressure in the brake cylinder, [Pa].
+        Gauge pressure in the brake cylinder, [Pa]; of an electro-mechanical brake the pressure
+        that would clamp as much.
     dynamic_force : ndarray (axle)
         Motor force achieved at the tread, dynamic brake positive, traction negative, [N].
     brake_demand : float
@@ -140,6 +181,9 @@ class Command(NamedTuple):
         record only.
     wsp_state : float, optional
         Number of the state that the controller is in, if it numbers them. For the record only.
+    friction_share : ndarray (axle), optional
+        Share of the demanded friction brake force that is permitted, 0..1; absent: 1. Only
+        electro-mechanical brakes (``fill = "lag"``) follow it.
     """
 
     dump_valve: FloatArray
@@ -150,6 +194,7 @@ class Command(NamedTuple):
     alarm: FloatArray | None = None
     slip_range: FloatArray | None = None
     wsp_state: float = 0.0
+    friction_share: FloatArray | None = None
 
 
 @runtime_checkable
@@ -199,6 +244,9 @@ def setup_array(setup: Setup) -> FloatArray:
     array[:, MOTORED] = setup.motored
     array[:, BRAKED] = setup.braked
     array[:, AXLE_LOAD] = 1.0 if setup.axle_load is None else setup.axle_load
+    array[:, ROTATING_MASS:] = 0.0
+    if setup.axles is not None:
+        array[:, ROTATING_MASS:] = np.stack(setup.axles, axis=1)
     return array
 
 
@@ -233,6 +281,7 @@ def command_array(n_axles: int) -> FloatArray:
     array = np.zeros((n_axles, N_COMMAND))
     array[:, DUMP_VALVE] = FILL
     array[:, DYNAMIC_SHARE] = 1.0
+    array[:, FRICTION_SHARE] = 1.0
     return array
 
 
@@ -253,4 +302,5 @@ def command_from_array(array: FloatArray) -> Command:
         alarm=array[:, ALARM].copy(),
         slip_range=array[:, SLIP_RANGE].copy(),
         wsp_state=float(array[0, WSP_STATE]),
+        friction_share=array[:, FRICTION_SHARE].copy(),
     )

@@ -180,6 +180,12 @@ def refuse_wrong(command: Command, n_axles: int) -> tuple[FloatArray, FloatArray
         raise ContractError(f"dump_valve: got {wrong:g}, allowed FILL (0), HOLD (1), VENT (2)")
     if not ((share >= 0.0) & (share <= 1.0)).all():
         raise ContractError(f"dynamic_share: got {share.min():g}..{share.max():g}, allowed 0..1")
+    if command.friction_share is not None:
+        friction = _row("friction_share", command.friction_share, n_axles)
+        if not ((friction >= 0.0) & (friction <= 1.0)).all():
+            raise ContractError(
+                f"friction_share: got {friction.min():g}..{friction.max():g}, allowed 0..1"
+            )
     if not np.isin(sanding, (0.0, 1.0)).all():
         raise ContractError("sanding: allowed 0 and 1")
     reference = np.asarray(command.reference_speed, dtype=float)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple
 
 from railgrip.control.contract import (
     BRAKED,
@@ -41,6 +41,32 @@ WITNESS_AFTER: Final = 1.0  # s: and for so long, is a witness of the train spee
 ENOUGH_WITNESSES: Final = 2  # one alone is always at its own speed
 
 
+class Wheels(NamedTuple):
+    """What a look at all wheels shows.
+
+    Parameters
+    ----------
+    fastest, seen : float
+        Greatest believable speed; speed of a wheel that runs free, -1 where there is none, [m/s].
+    candidate : int
+        The fastest axle that can be released; -1 for none.
+    effort : float
+        Mean braking pressure, [Pa].
+    acceleration : float
+        Mean over the wheels, [m/s²].
+    is_witnessed, is_adhering : bool
+        Whether enough wheels turn at the reference speed; whether none slides besides.
+    """
+
+    fastest: float
+    seen: float
+    candidate: int
+    effort: float
+    acceleration: float
+    is_witnessed: bool
+    is_adhering: bool
+
+
 def observe_train(
     parameters: FloatArray,
     axle_setup: FloatArray,
@@ -61,6 +87,22 @@ def observe_train(
     dt : float
         Period, [s].
     """
+    wheels = look_at_wheels(parameters, axle_setup, state, measured, slip_lower, dt)
+    estimate_deceleration(parameters, state, wheels.effort, wheels.acceleration)
+    free_an_axle(parameters, state, wheels.candidate, wheels.is_witnessed, slip_lower, dt)
+    advance_reference(parameters, state, wheels.fastest, wheels.seen, dt)
+    learn_pressure_gain(parameters, state, wheels.effort, wheels.fastest, wheels.is_adhering, dt)
+
+
+def look_at_wheels(
+    parameters: FloatArray,
+    axle_setup: FloatArray,
+    state: FloatArray,
+    measured: FloatArray,
+    slip_lower: float,
+    dt: float,
+) -> Wheels:
+    """Update the wheels in the state and return what they show; arguments as above."""
     n_axles = measured.shape[0]
     near = state[REFERENCE] * min(slip_lower, WITNESS_SLIP)
     near = max(WITNESS_FLOOR, near)
@@ -99,10 +141,7 @@ def observe_train(
         acceleration /= n_valid
     is_witnessed = n_witnesses >= min(ENOUGH_WITNESSES, n_axles)
     is_adhering = n_sliding == 0 and is_witnessed
-    estimate_deceleration(parameters, state, effort, acceleration)
-    free_an_axle(parameters, state, candidate, is_witnessed, slip_lower, dt)
-    advance_reference(parameters, state, fastest, seen, dt)
-    learn_pressure_gain(parameters, state, effort, fastest, is_adhering, dt)
+    return Wheels(fastest, seen, candidate, effort, acceleration, is_witnessed, is_adhering)
 
 
 def braking_pressure(parameters: FloatArray, measured: FloatArray, axle: int) -> float:

@@ -16,6 +16,7 @@ from railgrip.brake.orifice import orifice_flow
 from railgrip.brake.piecewise_friction import PiecewiseFriction, piecewise_friction
 from railgrip.brake.rigging import hysteresis
 from railgrip.compiler import inlined
+from railgrip.core.formulas.elementary import exp_decay
 from railgrip.core.formulas.piecewise_linear import Hinges
 from railgrip.core.formulas.two_node_heat import DiscHeat, two_node_heat_rates
 from railgrip.engine import layout
@@ -36,6 +37,7 @@ _constant = inlined(constant_friction)
 _karwatzki = inlined(karwatzki_1950)
 _piecewise = inlined(piecewise_friction)
 _heat_rates = inlined(two_node_heat_rates)
+_exp_decay = inlined(exp_decay)
 
 
 @inlined
@@ -141,6 +143,33 @@ def cylinder_pass(lanes: Any, S: Any, b: int, h: float) -> None:
 
 
 @inlined
+def lag_pass(lanes: Any, S: Any, b: int, h: float) -> None:
+    """Electro-mechanical brake: the clamp follows the permitted demand with a first-order lag.
+
+    It is told in the pressure that would clamp as much. Its drive obeys a dump valve's words too:
+    HOLD keeps the clamp, VENT opens it.
+    """
+    L = width(lanes)
+    for k in range(L):
+        kept = _exp_decay(h * S[b + at.FILL_RATE * L + k])
+        target = _target(L, S, b, k)
+        supply = S[b + at.SUPPLY_PRESSURE * L + k]
+        pressure = S[b + at.CYLINDER_PRESSURE * L + k]
+        fills, vents = S[b + at.IS_FILL * L + k], S[b + at.IS_VENT * L + k]
+        wanted = fills * target * S[b + at.FRICTION_SHARE * L + k]
+        wanted += (1.0 - fills - vents) * pressure
+        after = wanted + (pressure - wanted) * kept
+        clamp = S[b + at.CLAMP_FORCE * L + k]
+        nominal = S[b + at.CLAMP_PER_PRESSURE * L + k] * after + S[b + at.CLAMP_OFFSET * L + k]
+        clamp_after = _hysteresis(clamp, max(nominal, 0.0), S[b + at.HYSTERESIS * L + k])
+        S[b + at.SUPPLY_PRESSURE * L + k] = target + (supply - target) * kept
+        S[b + at.PRESSURE_BEFORE * L + k] = pressure
+        S[b + at.CYLINDER_PRESSURE * L + k] = after
+        S[b + at.CLAMP_ACTING * L + k] = 0.5 * (clamp + clamp_after)
+        S[b + at.CLAMP_FORCE * L + k] = clamp_after
+
+
+@inlined
 def _pad_inputs(L: int, S: Any, b: int, k: int) -> tuple[float, float, float]:
     """Return force per block, rubbing speed in the middle of the tick, and temperature."""
     speed = S[b + at.WHEEL_SPEED * L + k]
@@ -225,6 +254,9 @@ def brake_pass(
     """Advance the brake of one axle by one tick."""
     demand_pass(lanes, S, b, h, demand_tick, level)
     dynamic_pass(lanes, S, b, h)
-    supply_pass(lanes, S, b, brake[0], h)
-    cylinder_pass(lanes, S, b, h)
+    if brake[0] == layout.FILL_LAG:
+        lag_pass(lanes, S, b, h)
+    else:
+        supply_pass(lanes, S, b, brake[0], h)
+        cylinder_pass(lanes, S, b, h)
     pad_pass(lanes, S, b, brake)

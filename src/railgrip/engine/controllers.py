@@ -148,6 +148,8 @@ def plain_step(controller: Any, state: Any, measured: FloatArray, dt: float) -> 
         if command.slip_range is not None:
             columns[:, ctl.SLIP_RANGE] = command.slip_range
         columns[:, ctl.WSP_STATE] = command.wsp_state
+        if command.friction_share is not None:
+            columns[:, ctl.FRICTION_SHARE] = command.friction_share
     except Exception as error:
         raise RailgripError(
             Problem(

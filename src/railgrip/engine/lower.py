@@ -60,7 +60,7 @@ def lower(scenario: Scenario, control_period: float, parameters: FloatArray) -> 
     return Plan(
         way=way,
         timing=_timing(scenario, control_period),
-        formation=_formation(scenario, brakes),
+        formation=_formation(scenario, table, brakes),
         faults=_faults(scenario),
         n_axles=np.uint64(scenario.train.n_axles),
         creep_law=creep_law,
@@ -129,7 +129,7 @@ def _timing(scenario: Scenario, control_period: float) -> Timing:
     )
 
 
-def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
+def _formation(scenario: Scenario, table: FloatArray, brakes: FloatArray) -> Formation:
     train = scenario.train
     axles = train.axles()
     n_vehicles = len(train.vehicle)
@@ -140,7 +140,11 @@ def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
     for i, place in enumerate(axles):
         setup[i, ctl.BELIEVED_RADIUS] = place.axle.believed_radius
         setup[i, ctl.MOTORED] = place.axle.motor and has_motors
-        setup[i, ctl.BRAKED] = place.axle.brake is not None and train.dump_valve is not None
+        brake = train.brakes[place.axle.brake] if place.axle.brake is not None else None
+        is_continuous = brake is not None and brake.fill == "lag"
+        setup[i, ctl.CONTINUOUS] = is_continuous
+        setup[i, ctl.BRAKED] = is_continuous or (brake is not None and train.dump_valve is not None)
+        _put_forces(setup[i], table[1 + i], brake is not None)
     setup[:, ctl.AXLE_LOAD] = static_loads(scenario)
     in_emergency = train.dynamic_brake.in_emergency if train.dynamic_brake else True
     return Formation(
@@ -158,6 +162,24 @@ def _formation(scenario: Scenario, brakes: FloatArray) -> Formation:
         has_shared_inverter=int(train.traction is not None and train.traction.inverter != "axle"),
         axle_setup=setup,
     )
+
+
+def _put_forces(row: FloatArray, values: FloatArray, is_braked: bool) -> None:
+    """Tell a controller the forces of one axle, as the vehicle knows them."""
+    names = at.AXLE_PARAMETERS.split()
+
+    def value(name: str) -> float:
+        return float(values[names.index(name)])
+
+    row[ctl.ROTATING_MASS] = value("ROTATING_MASS")
+    if is_braked:
+        row[ctl.FULL_FORCE] = value("FULL_FORCE")
+        row[ctl.FULL_PRESSURE] = value("FULL_PRESSURE")
+        row[ctl.FIRST_PRESSURE] = -value("CLAMP_OFFSET") / value("CLAMP_PER_PRESSURE")
+    row[ctl.BRAKING_EFFORT] = value("DYNAMIC_MAX")
+    row[ctl.BRAKING_POWER] = value("DYNAMIC_POWER")
+    row[ctl.TRACTIVE_EFFORT] = value("TRACTION_MAX")
+    row[ctl.TRACTIVE_POWER] = value("TRACTION_POWER")
 
 
 def _faults(scenario: Scenario) -> Faults:
@@ -319,7 +341,7 @@ def ring_cells(plan: Plan, train_length: float, whole_line: bool) -> int:
 
 def controller_setup(scenario: Scenario, period: float) -> ctl.Setup:
     """Return what a controller is told about this train."""
-    table: Any = _formation(scenario, np.zeros((scenario.train.n_axles, 1))).axle_setup
+    table: Any = _formation(scenario, *lower_train(scenario)).axle_setup
     return ctl.Setup(
         n_axles=scenario.train.n_axles,
         period=period,
@@ -327,4 +349,5 @@ def controller_setup(scenario: Scenario, period: float) -> ctl.Setup:
         motored=table[:, ctl.MOTORED] > 0,
         braked=table[:, ctl.BRAKED] > 0,
         axle_load=table[:, ctl.AXLE_LOAD],
+        axles=ctl.AxleData(*table[:, ctl.ROTATING_MASS :].T),
     )

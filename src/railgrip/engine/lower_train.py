@@ -35,6 +35,8 @@ FILL_FROM, FILL_TO, FILL_SUPPLY = 0.4e5, 3.6e5, 3.8e5
 """Pressures between which the times of a dump valve are meant, Pa."""
 
 
+FILLING = {"linear": at.FILL_LINEAR, "orifice": at.FILL_ORIFICE, "lag": at.FILL_LAG}
+
 # Calibrating an orifice takes milliseconds, and the axles of a train are mostly alike.
 _distributor = cache(filling.distributor)
 _rate_constant_fill = cache(orifice.rate_constant_fill)
@@ -173,7 +175,7 @@ def _axle_values(scenario: Scenario, i: int) -> tuple[dict[str, float], FloatArr
         values["DEMAND_DELAY"] += middle / train.brake_control.wave_speed
     row = np.zeros(at.BRAKE_COLUMNS)
     if brake is not None:
-        row[0] = at.FILL_LINEAR if brake.fill == "linear" else at.FILL_ORIFICE
+        row[0] = FILLING[brake.fill]
         numbers = _pad_numbers(brake.pad)
         row[1 : 1 + len(numbers)] = numbers
     return values, row
@@ -239,6 +241,11 @@ def _filling_values(brake: FrictionBrake, pressure: float) -> dict[str, float]:
             "INSHOT_PRESSURE": 0.0,
             "RELEASE_RATE": pressure / brake.release_time,
         }
+    if brake.fill == "lag":
+        rate = 1.0 / brake.lag
+        return {
+            "FILL_RATE": rate, "INSHOT_RATE": 0.0, "INSHOT_PRESSURE": 0.0, "RELEASE_RATE": rate,
+        }  # fmt: skip
     orifices = _distributor(pressure, brake.fill_time, brake.release_time, inshot=brake.inshot)
     return {
         "FILL_RATE": orifices.fill_rate,
@@ -312,8 +319,8 @@ def _traction_values(scenario: Scenario, is_motored: bool) -> dict[str, float]:
 
 def _valve_values(scenario: Scenario, brake: FrictionBrake | None) -> dict[str, float]:
     valve = scenario.train.dump_valve
-    if valve is None or brake is None:
-        volume = 0.012 if brake is not None else 0.0
+    if valve is None or brake is None or brake.fill == "lag":
+        volume = 0.012 if brake is not None and brake.fill != "lag" else 0.0
         return {
             "HAS_VALVE": 0.0, "VALVE_FILL": 0.0, "VALVE_VENT": 0.0, "CYLINDER_VOLUME": volume,
         }  # fmt: skip

@@ -132,9 +132,13 @@ def obey(L: int, S: Any, command: Any, n_axles: int, k: int, slot: int) -> None:
         share = command[axle, ctl.DYNAMIC_SHARE]
         # a valve that is none of the three leaves a remainder; NaN is unequal to itself
         odd = valve * (valve - ctl.HOLD) * (valve - ctl.VENT)
+        friction = command[axle, ctl.FRICTION_SHARE]
         wrong += abs(odd) + abs(min(max(share, 0.0), 1.0) - share)
+        wrong += abs(min(max(friction, 0.0), 1.0) - friction)
         S[b + slot * L] = valve
         S[b + to.DYNAMIC_SHARE * L] = share
+        # what is no share releases the brake until the run is ended for it
+        S[b + to.FRICTION_SHARE * L] = friction if 0.0 <= friction <= 1.0 else 0.0
     if wrong != 0.0:
         S[to.CONTROLLER_ERROR * L + k] = 1.0
 

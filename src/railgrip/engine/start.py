@@ -85,6 +85,7 @@ def _begin_axle(L: int, S: Any, plan: Any, k: int, axle: int) -> None:
     S[b + at.MEASURED_SPEED * L] = believed
     S[b + at.IS_FILL * L] = 1.0
     S[b + at.DYNAMIC_SHARE * L] = 1.0
+    S[b + at.FRICTION_SHARE * L] = 1.0
     S[b + at.RESERVOIR_PRESSURE * L] = plan.formation.reservoir_pressure[
         plan.formation.vehicle_of_axle[axle]
     ]
@@ -109,4 +110,5 @@ def _begin_control(L: int, S: Any, memory: Any, n_axles: int, k: int) -> None:
         measured = S[((1 + axle) * at.N_VARS + at.MEASURED_SPEED) * L + k]
         memory.measured[k, axle, ctl.WHEEL_SPEED] = measured
         memory.command[k, axle, ctl.DYNAMIC_SHARE] = 1.0
+        memory.command[k, axle, ctl.FRICTION_SHARE] = 1.0
         memory.command[k, axle, ctl.REFERENCE_SPEED] = S[at.TRAIN_SPEED * L + k]

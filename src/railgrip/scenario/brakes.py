@@ -82,8 +82,13 @@ class FrictionBrake(Model):
     hysteresis: Dimensionless = Field(
         default=0.0, ge=0, le=0.5, description="Share by which the clamp force lags on release."
     )
-    fill: Literal["linear", "orifice"] = Field(
-        default="orifice", description="Shape of the filling."
+    fill: Literal["linear", "orifice", "lag"] = Field(
+        default="orifice",
+        description="Shape of the filling; lag: an electro-mechanical brake, whose clamp force "
+        "follows the demand with a first-order lag.",
+    )
+    lag: Time = Field(
+        default=0.06, gt=0, le=10, description="Time constant of an electro-mechanical brake."
     )
     dead_time: Time = Field(
         default=0.3, ge=0, le=60, description="From command to first pressure, t_a."

@@ -14,11 +14,15 @@ def test_columns_are_a_complete_numbering():
     }  # fmt: skip
     command = {
         ctl.DUMP_VALVE, ctl.DYNAMIC_SHARE, ctl.SANDING, ctl.REFERENCE_SPEED, ctl.IS_SLIDING,
-        ctl.ALARM, ctl.SLIP_RANGE, ctl.WSP_STATE,
+        ctl.ALARM, ctl.SLIP_RANGE, ctl.WSP_STATE, ctl.FRICTION_SHARE,
     }  # fmt: skip
     assert measured == set(range(ctl.N_MEASURED))
     assert command == set(range(ctl.N_COMMAND))
-    setup = {ctl.BELIEVED_RADIUS, ctl.MOTORED, ctl.BRAKED, ctl.AXLE_LOAD}
+    setup = {
+        ctl.BELIEVED_RADIUS, ctl.MOTORED, ctl.BRAKED, ctl.AXLE_LOAD, ctl.ROTATING_MASS,
+        ctl.FULL_FORCE, ctl.FULL_PRESSURE, ctl.FIRST_PRESSURE, ctl.CONTINUOUS, ctl.BRAKING_EFFORT,
+        ctl.BRAKING_POWER, ctl.TRACTIVE_EFFORT, ctl.TRACTIVE_POWER,
+    }  # fmt: skip
     assert setup == set(range(ctl.N_SETUP))
 
 
@@ -26,7 +30,12 @@ def test_setup_and_measured_reach_their_columns():
     setup = ctl.Setup(
         2, 0.01, np.array([0.46, 0.45]), np.array([True, False]), np.array([False, True])
     )
-    assert ctl.setup_array(setup).tolist() == [[0.46, 1.0, 0.0, 1.0], [0.45, 0.0, 1.0, 1.0]]
+    columns = ctl.setup_array(setup)
+    known = ctl.ROTATING_MASS
+    assert columns[:, :known].tolist() == [[0.46, 1.0, 0.0, 1.0], [0.45, 0.0, 1.0, 1.0]]
+    assert not columns[:, known:].any()
+    axles = ctl.AxleData(*(np.full(2, 10.0 + i) for i in range(len(ctl.AxleData._fields))))
+    assert ctl.setup_array(setup._replace(axles=axles))[1, known:].tolist() == list(range(10, 19))
     weighed = setup._replace(axle_load=np.array([1e5, 2e5]))
     assert ctl.setup_array(weighed)[:, ctl.AXLE_LOAD].tolist() == [1e5, 2e5]
     measured = ctl.Measured(

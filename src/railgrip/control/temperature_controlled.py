@@ -1,0 +1,190 @@
+"""Temperature-controlled adhesion: slip that heats wheel and rail by a chosen, admissible amount.
+
+Friction heats, cleans and dries the contact, and so raises the adhesion; the admissible rises
+protect wheel and rail. Each axle's adhesion is observed (`adhesion_window`), the friction power
+that the rises admit becomes a slip and a force (`temperature_targets`), and the driver's demand is
+limited to that force (`temperature_axle`), by motor, electro-mechanical brake or dump valve.
+
+After EP 2 231 448 (Knorr-Bremse); its owner's consent may be needed to use it in a vehicle.
+"""
+
+from __future__ import annotations
+
+from railgrip.control.adhesion_window import observe_friction
+from railgrip.control.axle_forces import applied_force, force_per_pressure
+from railgrip.control.contract import (
+    AXLE_LOAD,
+    EMERGENCY,
+    FULL_FORCE,
+    REFERENCE_SPEED,
+    ROTATING_MASS,
+    FloatArray,
+)
+from railgrip.control.conventional_parameters import ROTATING_SHARE
+from railgrip.control.conventional_state import DECELERATION, REFERENCE, SPEED, axle_base
+from railgrip.control.conventional_wsp import conventional_initial
+from railgrip.control.diameter_compensation import learn_diameters
+from railgrip.control.driving_reference import follow_trailing_wheels, is_driving
+from railgrip.control.force_reckoning import reckon_with_forces
+from railgrip.control.plain_form import KernelController
+from railgrip.control.temperature_axle import brake_axle, drive_axle
+from railgrip.control.temperature_limit import limit_factor
+from railgrip.control.temperature_parameters import (
+    ACCURACY,
+    COURSE,
+    NOMINAL_DECELERATION,
+    OBSERVER_WINDOW,
+    PATCH_LOAD,
+    SEMI_AXIS_ACROSS,
+    SEMI_AXIS_ALONG,
+    TemperatureParameters,
+)
+from railgrip.control.temperature_state import (
+    BRAKE_FORCE,
+    CLOCK,
+    FACTOR,
+    FORCE_BEFORE,
+    FORCE_PER_PRESSURE,
+    LOAD,
+    MASS,
+    MOVING,
+    N_WINDOW,
+    SAMPLE,
+    STILL,
+    TRAIN_ACCELERATION,
+    own_base,
+    state_size,
+    train_base,
+)
+from railgrip.control.train_observer import look_at_wheels
+from railgrip.core.constants import GRAVITY
+from railgrip.core.errors import Problem, RailgripError
+from railgrip.core.formulas.flash_temperature import STEEL_ERTZ_2002, flash_conductance
+
+
+def temperature_initial(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray
+) -> None:
+    """Fill the state at the start: masses, loads, and what heat the contacts take up."""
+    conventional_initial(parameters, axle_setup, state, measured)
+    n_axles = measured.shape[0]
+    state[train_base(n_axles) + FACTOR] = 1.0
+    along, across = parameters[SEMI_AXIS_ALONG], parameters[SEMI_AXIS_ACROSS]
+    still = flash_conductance(STEEL_ERTZ_2002, along, across, 0.0)
+    moving = flash_conductance(STEEL_ERTZ_2002, along, across, 1.0)
+    for axle in range(n_axles):
+        own = own_base(n_axles, axle)
+        load = axle_setup[axle, AXLE_LOAD]
+        load = load if load > 1.0e3 else parameters[PATCH_LOAD]
+        mass = axle_setup[axle, ROTATING_MASS]
+        force = axle_setup[axle, FULL_FORCE]
+        state[own + LOAD] = load
+        state[own + MASS] = mass if mass > 0.0 else parameters[ROTATING_SHARE] * load / GRAVITY
+        if mass <= 0.0:
+            force = parameters[NOMINAL_DECELERATION] * load / GRAVITY
+        state[own + BRAKE_FORCE] = force
+        state[own + STILL] = still * still
+        # a patch grows with the load^(1/3), so what moving steel takes up grows with its root
+        state[own + MOVING] = (moving * moving - still * still) * load / parameters[PATCH_LOAD]
+        state[own + FORCE_PER_PRESSURE] = force_per_pressure(axle_setup, axle, force)
+        state[own + FORCE_BEFORE] = applied_force(axle_setup, state, own, measured, axle)
+
+
+def temperature_kernel(
+    parameters: FloatArray,
+    axle_setup: FloatArray,
+    state: FloatArray,
+    measured: FloatArray,
+    command: FloatArray,
+    dt: float,
+) -> None:
+    """Advance temperature control by one period; arguments as in the controller contract."""
+    n_axles = measured.shape[0]
+    train = train_base(n_axles)
+    driving = is_driving(measured)
+    accuracy = parameters[ACCURACY]
+    wheels = look_at_wheels(parameters, axle_setup, state, measured, accuracy, dt)
+    sample = int(state[train + SAMPLE])
+    length = min(int(parameters[OBSERVER_WINDOW] / dt + 0.5), sample)
+    per_time = 1.0 / (max(length, 1) * dt)
+    for axle in range(n_axles):
+        own = own_base(n_axles, axle)
+        applied = applied_force(axle_setup, state, own, measured, axle)
+        speed = state[axle_base(axle) + SPEED]
+        observe_friction(state, own, sample, length, speed, applied, dt, per_time)
+    if driving:
+        follow_trailing_wheels(parameters, axle_setup, state, n_axles, dt)
+    else:
+        reckon_with_forces(parameters, state, wheels, n_axles, accuracy, dt)
+        learn_diameters(parameters, state, measured, dt)
+    state[train + TRAIN_ACCELERATION] = -state[DECELERATION]
+    state[train + FACTOR] = limit_factor(parameters, state[train + CLOCK], measured[0, EMERGENCY])
+    for axle in range(n_axles):
+        if driving:
+            drive_axle(parameters, axle_setup, state, measured, command, axle, dt)
+        else:
+            brake_axle(parameters, axle_setup, state, measured, command, axle, dt)
+        command[axle, REFERENCE_SPEED] = state[REFERENCE]
+    state[train + SAMPLE] += 1.0
+    state[train + CLOCK] += dt
+
+
+class TemperatureControlled(KernelController):
+    """Temperature-controlled adhesion as a controller, in the plain and in the compiled form.
+
+    Parameters
+    ----------
+    parameters : TemperatureParameters, optional
+        The ordinary protection's (`ConventionalParameters`) and its own (`TemperatureOnly`).
+    period : float
+        Time between two steps, [s].
+
+    Raises
+    ------
+    RailgripError
+        "set_point: must lie above 0 and up to 1 …", and the like.
+
+    Examples
+    --------
+    >>> TemperatureControlled().parameters.rise_wheel
+    200.0
+    """
+
+    kernel = staticmethod(temperature_kernel)
+    initial = staticmethod(temperature_initial)
+    state_size = staticmethod(state_size)
+
+    def __init__(
+        self, parameters: TemperatureParameters | None = None, *, period: float = 0.01
+    ) -> None:
+        parameters = TemperatureParameters() if parameters is None else parameters
+        _check(parameters, period)
+        super().__init__(parameters, period)
+
+
+def _check(parameters: TemperatureParameters, period: float) -> None:
+    """Refuse what no vehicle can mean."""
+    times = [parameters[COURSE + 2 * i] for i in range(3)]
+    span = parameters.observer_window / period
+    rises = min(parameters.rise_wheel, parameters.rise_rail)
+    demands = {
+        "set_point": (0.0 < parameters.set_point <= 1.0, "must lie above 0 and up to 1"),
+        "rise_wheel": (rises >= 0.0, "must not be negative; 0 means no limit"),
+        "course_1": (times == sorted(times), "the times of the course must ascend"),
+        "observer_window": (0.99 < span < N_WINDOW, f"must be 1 to {N_WINDOW - 1} periods"),
+        "slip_scale": (parameters.slip_scale > 0.0, "must be positive"),
+        "gain_speed": (parameters.gain_speed > 0.0, "must be positive"),
+        "greatest_slip": (0.0 < parameters.greatest_slip < 1.0, "must lie between 0 and 1"),
+        "semi_axis_across": (
+            min(parameters.semi_axis_along, parameters.semi_axis_across) > 0.0,
+            "the contact patch must have a size",
+        ),
+        "heat_law": (parameters.heat_law in (0.0, 1.0), "must be 0 (physical) or 1 (linear)"),
+    }
+    wrong = [
+        Problem(name, what, got=f"{getattr(parameters, name):g}")
+        for name, (is_right, what) in demands.items()
+        if not is_right
+    ]
+    if wrong:
+        raise RailgripError(wrong)
