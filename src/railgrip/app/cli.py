@@ -22,6 +22,7 @@ from railgrip.app.commands.contact import contact
 from railgrip.app.commands.demo import demo
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
+from railgrip.app.commands.qualify import qualify
 from railgrip.app.commands.run import run
 from railgrip.app.commands.schema import schema
 from railgrip.app.commands.tune import tune
@@ -42,7 +43,7 @@ app = App(
     default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
 )
-for command in (demo, run, compare, contact, check, tune, new, schema):
+for command in (demo, run, compare, contact, check, tune, qualify, new, schema):
     app.command(command)
 app.command(list_names, name="list")
 

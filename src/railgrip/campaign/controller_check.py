@@ -70,15 +70,31 @@ def check_controller(source: str | Path | Callable[[], Controller]) -> list[Chec
     >>> check_controller("nowhere/my_wsp.py")[0].sentence
     'nowhere/my_wsp.py: no such file; try: give the path of a .py controller'
     """
-    path = Path(source) if isinstance(source, str | Path) else None
-    try:
-        make: Any = load_controller_class(path) if path is not None else source
-    except RailgripError as error:
-        return [CheckResult("file", False, str(error))]
-    results = [_checked(name, check, make, path) for name, check in CONTRACT_CHECKS.items()]
+    results = check_on_the_bench(source)
     if all(result.passed for result in results):
+        path, make = _maker(source)
         results += [_checked(name, check, make, path) for name, check in TRAIN_CHECKS.items()]
     return results
+
+
+def check_on_the_bench(source: str | Path | Callable[[], Controller]) -> list[CheckResult]:
+    """Check a controller against the contract alone; arguments and returns as `check_controller`.
+
+    Examples
+    --------
+    >>> check_on_the_bench("nowhere/my_wsp.py")[0].passed
+    False
+    """
+    try:
+        path, make = _maker(source)
+    except RailgripError as error:
+        return [CheckResult("file", False, str(error))]
+    return [_checked(name, check, make, path) for name, check in CONTRACT_CHECKS.items()]
+
+
+def _maker(source: str | Path | Callable[[], Controller]) -> tuple[Path | None, Any]:
+    path = Path(source) if isinstance(source, str | Path) else None
+    return path, load_controller_class(path) if path is not None else source
 
 
 def _checked(name: str, check: Callable[[Any], str], make: Any, path: Path | None) -> CheckResult:

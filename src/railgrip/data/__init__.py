@@ -1,4 +1,5 @@
-"""The shipped trains, lines, rail conditions, contact pairs, pads, discs and scenarios, by name.
+"""The shipped trains, lines, rail conditions, contact pairs, pads, discs, scenarios and test
+profiles, by name.
 
 This package holds files, not numbers in code. It only says which names exist and where their
 files lie, so that nothing else has to know the folders.
@@ -11,7 +12,9 @@ from pathlib import Path
 
 from railgrip.core.errors import RailgripError, unknown_name
 
-KINDS = ("trains", "lines", "rail_conditions", "contact_pairs", "pads", "discs", "scenarios")
+KINDS = (
+    "trains", "lines", "rail_conditions", "contact_pairs", "pads", "discs", "scenarios", "profiles",
+)  # fmt: skip
 """The kinds of shipped data; each is a folder of this package."""
 
 

@@ -20,6 +20,7 @@ FOLDERS = {
     "rail_condition": "rail_conditions",
     "contact_pair": "contact_pairs",
     "scenario": "scenarios",
+    "profile": "profiles",
 }
 """Kind of description → its folder in the shipped data."""
 
@@ -32,8 +33,8 @@ def names(kind: str) -> list[str]:
     Parameters
     ----------
     kind : str
-        ``train``, ``line``, ``pad``, ``disc``, ``rail_condition``, ``contact_pair`` or
-        ``scenario``.
+        ``train``, ``line``, ``pad``, ``disc``, ``rail_condition``, ``contact_pair``, ``scenario``
+        or ``profile``.
 
     Raises
     ------

@@ -1,0 +1,1 @@
+"""The test programme: qualifying a wheel-slide protection at the desk, before the track."""

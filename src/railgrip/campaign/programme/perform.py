@@ -1,0 +1,337 @@
+"""Run a programme: repetitions until enough of them are valid, and what each was judged by."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from railgrip.campaign.programme import situation
+from railgrip.campaign.programme.measures import Measured
+from railgrip.campaign.programme.metrics import JudgingMetric, all_metrics, metric
+from railgrip.campaign.programme.profile import Limit, Profile, ProgrammeTest, Window
+from railgrip.campaign.programme.verdict import Held, hold, run_margin
+from railgrip.core.errors import Problem, RailgripError
+from railgrip.core.status import ENDED_WELL, RunStatus, sentence
+from railgrip.engine.controllers import find_controller
+from railgrip.engine.result import Result
+from railgrip.engine.simulate import simulate
+from railgrip.report.protocol.curves import Curves, curves_of
+from railgrip.report.view import View
+from railgrip.scenario import Scenario
+
+Progress = Callable[[str, int, int], None]
+"""Called with the test's name, valid runs so far, valid runs wanted."""
+
+MOST_AT_ONCE = 64
+"""Runs of a test whose full curves are held at once."""
+
+
+class Bounds(NamedTuple):
+    """Least and greatest in SI, None where there is none."""
+
+    least: float | None
+    greatest: float | None
+
+
+@dataclass(frozen=True)
+class RunRecord:
+    """One run: where it can be found again, what it gave.
+
+    Attributes
+    ----------
+    number : int
+        From 1, in the order of the tries.
+    seed, index : int
+        Of the batch in which it ran, and its place in it: these make it again, bit for bit.
+    status : str
+        How it ended, in words.
+    invalid : str
+        Why it does not count; empty for a valid run.
+    figures : dict of float
+        Metric → figure, SI.
+    margin : float
+        The least margin to any limit that every run must keep; NaN where there is none.
+    curves : Curves
+        Thinned, for the protocol.
+    """
+
+    number: int
+    seed: int
+    index: int
+    status: str
+    invalid: str
+    figures: dict[str, float]
+    margin: float
+    curves: Curves
+
+
+@dataclass(frozen=True)
+class LimitRecord:
+    """One limit with its verdict."""
+
+    metric: JudgingMetric
+    bounds: Bounds
+    limit: Limit
+    held: Held
+
+
+@dataclass
+class TestRecord:
+    """What became of a test."""
+
+    name: str
+    test: ProgrammeTest
+    scenario: Scenario | None = None
+    runs: list[RunRecord] = field(default_factory=list)
+    limits: list[LimitRecord] = field(default_factory=list)
+    problem: str = ""
+
+    __test__ = False  # pytest must not take it for one of its own
+
+    @property
+    def valid(self) -> list[RunRecord]:
+        """The runs that count."""
+        return [run for run in self.runs if not run.invalid]
+
+    def figures(self, name: str) -> np.ndarray[Any, Any]:
+        """Return a metric's figures of the valid runs, SI."""
+        return np.array([run.figures[name] for run in self.valid])
+
+
+class Programme:
+    """A profile, a train and a controller, ready to run.
+
+    Parameters
+    ----------
+    profile : Profile
+        The tests.
+    folder : Path
+        Where the profile's file names begin.
+    train : str
+        A shipped train or a file.
+    controller : str
+        A registered controller or a file.
+    threads : int
+        Threads that share the runs; no figure depends on it.
+
+    Raises
+    ------
+    RailgripError
+        Every limit without unit, every unknown metric, at once and before the first run.
+    """
+
+    def __init__(
+        self, profile: Profile, folder: Path, train: Any, controller: str, threads: int = 1
+    ) -> None:
+        self.profile, self.threads = profile, threads
+        self.train, self.controller_name = train, controller
+        self.metrics = all_metrics(profile.metric, folder)
+        self.base = {"train": train, "wsp": {"controller": controller}}
+        first = Scenario.model_validate(self.base)
+        by_wire = any(brake.fill == "lag" for brake in first.train.brakes.values())
+        if first.train.dump_valve is None and not by_wire:
+            raise RailgripError(
+                Problem("train", "has no wheel-slide protection to qualify: no dump valves",
+                        cure="a train with [dump_valve], e.g. 'emu_four_car'")
+            )  # fmt: skip
+        self.controller = find_controller(first.wsp, first.run.step)
+        self._bounds = self._read_bounds()
+
+    def _read_bounds(self) -> dict[tuple[str, str, str], Bounds]:
+        problems: list[Problem] = []
+        found = {}
+        for name, test in self.profile.test.items():
+            windows: list[tuple[str, str, Window]] = [
+                *(("valid", key, one) for key, one in test.valid.items()),
+                *(("limit", key, one) for key, one in test.limit.items()),
+            ]
+            for kind, key, window in windows:
+                where = f"test.{name}.{kind}.{key}"
+                try:
+                    found[name, kind, key] = self._bounds_of(key, window, where)
+                except RailgripError as error:
+                    problems += error.problems
+            for key in test.report:
+                try:
+                    metric(self.metrics, key, f"test.{name}.report")
+                except RailgripError as error:
+                    problems += error.problems
+        if problems:
+            raise RailgripError(problems)
+        return found
+
+    def _bounds_of(self, key: str, window: Window, where: str) -> Bounds:
+        judge = metric(self.metrics, key, where)
+        ends = [
+            None if value is None else judge.read(value, f"{where}.{side}")
+            for side, value in (("least", window.least), ("greatest", window.greatest))
+        ]
+        return Bounds(*ends)
+
+    def perform(
+        self, names: tuple[str, ...] = (), progress: Progress | None = None
+    ) -> Iterator[TestRecord]:
+        """Run the tests one after another; a test that cannot be run says why, the next goes on.
+
+        Parameters
+        ----------
+        names : tuple of str
+            Only these, and what they are compared with.
+        progress : callable, optional
+            See `Progress`.
+        """
+        references: dict[str, float] = {}
+        for name, test in self.profile.chosen(names).items():
+            reference = references.get(test.against, math.nan) if test.against else math.nan
+            record = TestRecord(name, test)
+            try:
+                self._perform(record, reference, progress)
+            except RailgripError as error:
+                record.problem = "; ".join(str(problem) for problem in error.problems)
+            distances = [run.figures["corrected_distance"] for run in record.valid]
+            references[name] = float(np.mean(distances)) if distances else math.nan
+            yield record
+
+    def _perform(self, record: TestRecord, reference: float, progress: Progress | None) -> None:
+        name, test, profile = record.name, record.test, self.profile
+        wanted = test.repetitions or profile.repetitions
+        tries = max(profile.tries, wanted)
+        record.scenario = situation.scenario_of(
+            profile, name, self.base, situation.seed_of(profile, name, 0)
+        )
+        lacking = situation.applies(test, record.scenario)
+        if lacking:
+            record.problem = f"does not apply: the train has no {lacking}".replace("_", " ")
+            return
+        batch = 0
+        while len(record.valid) < wanted and len(record.runs) < tries:
+            missing = min(wanted - len(record.valid), tries - len(record.runs), MOST_AT_ONCE)
+            self._batch(record, batch, missing, reference)
+            batch += 1
+            if progress is not None:
+                progress(name, len(record.valid), wanted)
+        if len(record.valid) < wanted:
+            record.problem = self._never_valid(record, wanted)
+        record.limits = [
+            LimitRecord(self.metrics[key], self._bounds[name, "limit", key], limit,
+                        hold(record.figures(key), *self._bounds[name, "limit", key], limit.judged))
+            for key, limit in test.limit.items()
+        ]  # fmt: skip
+
+    def _batch(self, record: TestRecord, batch: int, runs: int, reference: float) -> None:
+        scenario, result = self.batch(record.name, batch, runs)
+        for index in range(runs):
+            measured = Measured(
+                View(result.data, index), scenario, reference, self.profile.cost_per_flat,
+                self.profile.flat_from,
+            )  # fmt: skip
+            record.runs.append(self._record(record, measured, index))
+
+    def batch(self, name: str, batch: int, runs: int) -> tuple[Scenario, Result]:
+        """Return the scenario and the result of a batch of repetitions, with curves."""
+        seed = situation.seed_of(self.profile, name, batch)
+        test = self.profile.test[name]
+        scenario = situation.scenario_of(self.profile, name, self.base, seed)
+        varied = situation.variations(scenario, self.profile.tolerance, test, runs, self.controller)
+        result = simulate(
+            scenario, runs=runs, variations=varied, traces=True, threads=self.threads,
+            controller=self.controller,
+        )  # fmt: skip
+        return scenario, result
+
+    def _record(self, record: TestRecord, measured: Measured, index: int) -> RunRecord:
+        test, name = record.test, record.name
+        wanted = dict.fromkeys(
+            [*test.valid, *test.limit, *test.report, "corrected_distance", "stopping_distance"]
+        )
+        figures = {key: self.metrics[key].of(measured) for key in wanted}
+        margins = [
+            run_margin(figures[key], *self._bounds[name, "limit", key])
+            for key, limit in test.limit.items()
+            if limit.judged == "each"
+        ]
+        status = RunStatus(int(measured.view.number("status")))
+        return RunRecord(
+            number=len(record.runs) + 1,
+            seed=measured.scenario.run.seed,
+            index=index,
+            status=sentence(status),
+            invalid=self._invalid(name, test, figures),
+            figures=figures,
+            margin=float(np.nanmin(margins)) if not np.isnan(margins).all() else math.nan,
+            curves=curves_of(measured.view, ended_well=status in ENDED_WELL),
+        )
+
+    def _invalid(self, name: str, test: ProgrammeTest, figures: dict[str, float]) -> str:
+        reasons = []
+        for key in test.valid:
+            bounds = self._bounds[name, "valid", key]
+            if not run_margin(figures[key], *bounds) >= 0.0:
+                judge = self.metrics[key]
+                reasons.append(f"{judge.label}: {judge.unit.show(figures[key])}")
+        return "; ".join(reasons)
+
+    def _never_valid(self, record: TestRecord, wanted: int) -> str:
+        windows = ", ".join(
+            f"{self.metrics[key].label.lower()} {_window(self.metrics[key], bounds)}"
+            for key in record.test.valid
+            for bounds in [self._bounds[record.name, "valid", key]]
+        )
+        reasons = [run.invalid for run in record.runs if run.invalid]
+        return (
+            f"only {len(record.valid)} of {wanted} runs were valid after {len(record.runs)} tries; "
+            f"allowed: {windows}; the last invalid one: {reasons[-1]}; "
+            f"try: another rail in test.{record.name}.scenario.rail, or more tries"
+        )
+
+
+def run_again(programme: Programme, name: str, number: int) -> Result:
+    """Run one repetition again with full curves, bit for bit as in the programme.
+
+    Parameters
+    ----------
+    programme : Programme
+        As it ran.
+    name : str
+        Of the test.
+    number : int
+        Of the run, as the protocol counts it.
+
+    Raises
+    ------
+    RailgripError
+        ``W3.40: there was no such run; …``
+    """
+    programme.profile.chosen((name,))
+    record = TestRecord(name, programme.profile.test[name])
+    for found in programme.perform((name,)):
+        record = found if found.name == name else record
+    if not 1 <= number <= len(record.runs):
+        raise RailgripError(
+            Problem(f"{name}.{number}", "there was no such run", allowed=f"1 to {len(record.runs)}")
+        )
+    run = record.runs[number - 1]
+    scenario = situation.scenario_of(programme.profile, name, programme.base, run.seed)
+    varied = situation.variations(
+        scenario, programme.profile.tolerance, record.test, run.index + 1, programme.controller
+    )
+    fine = scenario.with_({"run.trace": max(0.02, scenario.run.step)})
+    result = simulate(
+        fine, runs=run.index + 1, variations=varied, traces=True, controller=programme.controller
+    )
+    chosen = result.data.isel(run=[run.index])
+    return Result(fine, chosen)
+
+
+def _window(judge: JudgingMetric, bounds: Bounds) -> str:
+    parts = []
+    if bounds.least is not None:
+        parts.append(f"at least {judge.unit.show(bounds.least)}")
+    if bounds.greatest is not None:
+        parts.append(f"at most {judge.unit.show(bounds.greatest)}")
+    return " and ".join(parts)
