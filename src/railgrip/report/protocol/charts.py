@@ -19,10 +19,13 @@ class Line(NamedTuple):
     values: Sequence[float]
 
 
+COLOURS = {"c0": "#000000", "c1": "#D55E00", "c2": "#0072B2", "c3": "#009E73"}
+"""Colour of each kind of line on paper (Okabe and Ito)."""
 STANDALONE = (
     "<style>text{font:9px sans-serif;fill:#333}.grid{stroke:#ddd}.line{fill:none;stroke-width:1.2}"
-    ".c0{stroke:#000}.c1{stroke:#D55E00}.c2{stroke:#0072B2}.c3{stroke:#009E73}"
-    ".limit{stroke:#a3161f;stroke-dasharray:4 3}</style>"
+    ".limit{stroke:#a3161f;stroke-dasharray:4 3}"
+    + "".join(f".{kind}{{stroke:{colour}}}" for kind, colour in COLOURS.items())
+    + "</style>"
 )
 """Colours for charts outside a page."""
 
@@ -60,7 +63,7 @@ def run_charts(
     charts = [
         ("over_time", speeds, time, ()),
         ("over_distance", speeds, distance, ()),
-        ("slip", [Line("c2", words["slip"].split(",")[0], curves["slip"])], time, thresholds),
+        ("slip", [Line("c2", "", curves["slip"])], time, thresholds),
         ("pressure", pressures, time, ()),
         ("adhesion", adhesions, time, ()),
     ]

@@ -85,12 +85,11 @@ def _grid(heads: Sequence[str], rows: Sequence[Sequence[str]], kind: str = "") -
 
 def _verdict_heads(words: dict[str, str]) -> list[str]:
     return [words[name] for name in
-            ("limit", "limit", "measured", "margin", "verdict", "sure", "provenance")]  # fmt: skip
+            ("figure", "limit", "measured", "margin", "verdict", "sure", "provenance")]  # fmt: skip
 
 
 def _verdicts(table: dict[str, Any], words: dict[str, str], language: str) -> str:
-    heads = [words["test"], *_verdict_heads(words)[1:2], words["figure"], words["measured"],
-             words["margin"], words["verdict"]]  # fmt: skip
+    heads = [words[name] for name in ("test", "figure", "limit", "measured", "margin", "verdict")]
     top = "".join(f'<th scope="col">{escape(head)}</th>' for head in heads)
     body = []
     for test in table["tests"]:
@@ -104,9 +103,11 @@ def _verdicts(table: dict[str, Any], words: dict[str, str], language: str) -> st
         for limit in test["limits"]:
             mark = {"kept": "good", "missed": "bad"}.get(limit["verdict"], "")
             cell = (
-                cells.bound(limit, words), cells.label(limit, language),
-                cells.figure(limit["value"], limit["unit"], words), cells.margin(limit),
-            )  # fmt: skip
+                cells.label(limit, language),
+                cells.bound(limit, words),
+                cells.figure(limit["value"], limit["unit"], words),
+                cells.margin(limit),
+            )
             body.append(
                 f'<tr><th scope="row">{name}</th>'
                 + "".join(f"<td>{escape(one)}</td>" for one in cell)

@@ -9,7 +9,7 @@ from typing import Any
 
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.report.protocol import cells
-from railgrip.report.protocol.charts import run_charts, svg
+from railgrip.report.protocol.charts import COLOURS, run_charts, svg
 from railgrip.report.protocol.words import ASSUMPTIONS, words
 
 _HEAD = """#set document(title: {title}, date: none)
@@ -25,7 +25,7 @@ _HEAD = """#set document(title: {title}, date: none)
 """
 
 
-_VERDICT = ("limit", "limit", "measured", "margin", "verdict", "sure", "provenance")
+_VERDICT = ("figure", "limit", "measured", "margin", "verdict", "sure", "provenance")
 
 
 def protocol_pdf(table: dict[str, Any], language: str = "en") -> bytes:
@@ -109,7 +109,13 @@ def _run(
         bounds = limits if told == said["slip"] else ()
         file = f"{name}-{number}.svg"
         (folder / file).write_text(svg(over, lines, bounds, told, standalone=True), "utf-8")
-        pictures.append(f'[#text(8pt)[{_shown(told)}]\\ #image("{file}", width: 100%)]')
+        key = " ".join(
+            f'#text(fill: rgb("{COLOURS[line.kind]}"))[{_shown(line.label)}]'
+            for line in lines
+            if line.label
+        )
+        picture = f'#image("{file}", width: 100%)'
+        pictures.append(f"[#text(8pt)[{_shown(told)}\\ {key}]\\ {picture}]")
     state = f"{said['invalid']}: {run['invalid']}" if run["invalid"] else run["status"]
     figures = ", ".join(
         f"{cells.label(one, 'en' if said['test'] == 'Test' else 'de')} "
