@@ -1,6 +1,6 @@
 """What the whole test programme takes: four-car train, ten repetitions, and its protocol.
 
-    python benchmarks/bench_qualify.py [--quick] [--out FILE]
+python benchmarks/bench_qualify.py [--quick] [--out FILE]
 """
 
 from __future__ import annotations

@@ -196,8 +196,9 @@ ASSUMPTIONS = {
     "de": (
         "Eine Simulation an einem Modell von Zug und Schiene: Kontakt nach dem "
         "Kraftschlussgesetz des Szenarios, Schienenzustände wie mitgeliefert (ihre Zahlen "
-        "nennen ihre Herkunft), Polradgeber und Ventile mit Verzug, Bremsscheiben mit zwei Knoten. Sie gilt vom "
-        "Stillstand bis zur Höchstgeschwindigkeit des Zuges, für Gleiten und Schleudern "
+        "nennen ihre Herkunft), Polradgeber und Ventile mit Verzug, Bremsscheiben mit zwei "
+        "Knoten. Sie gilt vom Stillstand bis zur Höchstgeschwindigkeit des Zuges, für Gleiten "
+        "und Schleudern "
         "im geraden Gleis.",
         "Das Profil folgt öffentlichen Beschreibungen solcher Prüfungen. Seine Grenzwerte sind "
         "nicht die einer Norm, wo ihre Herkunft es nicht sagt. Niemand hat hier etwas zugelassen.",

@@ -1,6 +1,6 @@
 """Every shipped braking controller through the whole test programme, and what K_wet follows.
 
-    python studies/test_programme.py [--repetitions N] [--threads N]
+    python studies/programme.py [--repetitions N] [--threads N]
 
 Writes results/test_programme.json and .md, which docs/programme.md shows.
 """
@@ -36,7 +36,7 @@ def main() -> None:
     chosen = parser.parse_args()
     found = {name: examine(name, chosen.repetitions, (), chosen.threads) for name in CONTROLLERS}
     note = {
-        "command": f"python studies/test_programme.py --repetitions {chosen.repetitions}",
+        "command": f"python studies/programme.py --repetitions {chosen.repetitions}",
         "railgrip_version": railgrip.__version__, "train": TRAIN, "profile": PROFILE,
         "seed": read_profile(PROFILE)[0].seed, "controllers": found,
     }  # fmt: skip
@@ -51,9 +51,7 @@ def examine(
 ) -> dict[str, Any]:
     """Return what a controller's programme gave: limits by test and metric, and K_wet."""
     profile, folder = read_profile(PROFILE)
-    programme = Programme(
-        profile.with_repetitions(repetitions), folder, TRAIN, controller, threads
-    )
+    programme = Programme(profile.with_repetitions(repetitions), folder, TRAIN, controller, threads)
     records = list(programme.perform(tests))
     for record in records:
         print(f"{controller}: {record.name}, {len(record.valid)} valid runs {record.problem}")
@@ -106,7 +104,7 @@ def page(note: dict[str, Any]) -> str:
         cells = [cell(found[name]["limits"].get(key)) for name in names]
         label = next(one["limits"][key]["label"] for one in found.values() if key in one["limits"])
         lines.append(f"| {key.split()[0]}: {label} | {' | '.join(cells)} |")
-    missed = [sum(l["verdict"] == "missed" for l in found[n]["limits"].values()) for n in names]
+    missed = [sum(one["verdict"] == "missed" for one in found[n]["limits"].values()) for n in names]
     lines.append(f"| limits missed | {' | '.join(map(str, missed))} |")
     invalid = [f"{found[name]['invalid']} of {found[name]['runs']}" for name in names]
     lines.append(f"| invalid runs | {' | '.join(invalid)} |")
