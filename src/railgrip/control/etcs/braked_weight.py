@@ -92,6 +92,38 @@ def deceleration_of(percentage: float) -> Steps:
     return Steps(tuple(begins), tuple(values))
 
 
+def service_deceleration_of(percentage: float, as_era_tool: bool = False) -> Steps:
+    """Return the basic deceleration of the service brake over the speed.
+
+    Parameters
+    ----------
+    percentage : float
+        λ, 30 to 250, [%]; it counts for 135 at most.
+    as_era_tool : bool
+        Whether above 180 km/h the percentage counts in full, as in ERA's tool v3.0.
+
+    Returns
+    -------
+    Steps
+        [m/s²] over [m/s].
+
+    References
+    ----------
+    .. [1] SUBSET-026-3 v3.4.0, A.3.7.
+
+    Checked by tests/reference/etcs_era_tool.
+
+    Examples
+    --------
+    >>> [round(service_deceleration_of(200.0, tool).at(51.0), 4) for tool in (False, True)]
+    [0.7772, 1.1601]
+    """
+    steps = deceleration_of(min(percentage, SERVICE_CAP))
+    if not as_era_tool:
+        return steps
+    return Steps(steps.begins, (*steps.values[:-1], deceleration_of(percentage).values[-1]))
+
+
 def build_up_times(position: str, length: float, target_speed: float) -> tuple[float, float]:
     """Return the equivalent build-up times of emergency and service brake.
 

@@ -10,9 +10,7 @@ SERVICE: Final = (5.5 * _KMH, 10.0 * _KMH, 110.0 * _KMH, 210.0 * _KMH)
 WARNING: Final = (4.0 * _KMH, 5.0 * _KMH, 110.0 * _KMH, 140.0 * _KMH)
 
 
-def ceiling_margin(
-    speed: float, margins: tuple[float, float, float, float] = EMERGENCY
-) -> float:
+def ceiling_margin(speed: float, margins: tuple[float, float, float, float] = EMERGENCY) -> float:
     """Return how far above a ceiling speed a limit lies.
 
     Parameters

@@ -71,9 +71,7 @@ def breaks(parts: Iterable[Steps]) -> list[float]:
         {
             begin
             for part in parts
-            for begin, (before, after) in zip(
-                part.begins[1:], pairwise(part.values), strict=True
-            )
+            for begin, (before, after) in zip(part.begins[1:], pairwise(part.values), strict=True)
             if before != after
         }
     )
