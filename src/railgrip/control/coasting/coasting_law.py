@@ -110,7 +110,7 @@ class CoastingLaw:
     >>> stop = [AnnouncedTarget(2000.0)]
     >>> law.coasting_speed(1000.0, stop), law.braking_speed(1000.0, stop)
     (20.0, 40.0)
-    >>> law.step(1000.0, 25.0, stop).is_acting, law.step(1100.0, 18.0, stop).is_acting
+    >>> law.step(1000.0, 25.0, stop).is_acting, law.step(1100.0, 17.9, stop).is_acting
     (True, False)
     """
 
