@@ -137,13 +137,22 @@ class Driver:
         ]
         self.targets = [*drops, AnnouncedTarget(station, 0.0, is_station=True)]
 
-    def run(self, begin: float = 0.0, speed: float = 0.0, *, at_most: float = 1e5) -> CoastingRun:
+    def run(
+        self,
+        begin: float = 0.0,
+        speed: float = 0.0,
+        *,
+        spacing: float = 20.0,
+        at_most: float = 1e5,
+    ) -> CoastingRun:
         """Drive until the train stands at the station.
 
         Parameters
         ----------
         begin, speed : float
             Where the front is at time 0, [m], and how fast, [m/s].
+        spacing : float
+            Greatest time between two moments of the record, > 0, [s].
         at_most : float
             Time after which the run is given up, [s].
 
@@ -173,7 +182,7 @@ class Driver:
             if now.mode == "stand":
                 time, event = self._wait(time, state), "renewal"
                 continue
-            time, state, event, piece = self._drive(time, state, now)
+            time, state, event, piece = self._drive(time, state, now, spacing)
             moments.append(piece[0])
             states.append(piece[1])
         everything = np.concatenate(states, axis=1)
@@ -253,7 +262,7 @@ class Driver:
         return self.train.inertia * self._acceleration(time, state[1], now) + resistance
 
     def _drive(
-        self, time: float, state: Array, now: _Situation
+        self, time: float, state: Array, now: _Situation, spacing: float
     ) -> tuple[float, Array, str, tuple[Array, Array]]:
         """Drive to the next event; return time, state, its name, and the piece driven."""
 
@@ -267,7 +276,7 @@ class Driver:
             until = min(until, self.authority.next_renewal(time))
         signs = [_event(function, direction) for function, direction in events.values()]
         done = solve_ivp(slope, (time, until), state, method="DOP853", events=signs,
-                         rtol=1e-9, atol=1e-9, max_step=20.0)  # fmt: skip
+                         rtol=1e-9, atol=1e-9, max_step=spacing)  # fmt: skip
         state, time, event = done.y[:, -1].copy(), float(done.t[-1]), "renewal"
         for name, found in zip(events, done.t_events, strict=True):
             if found.size:
