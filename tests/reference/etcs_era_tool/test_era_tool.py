@@ -109,7 +109,7 @@ def test_limit_of_authority(case: str) -> None:
     assert compare(limits, LIMITS[case]) > 190
 
 
-def test_the_two_cases_of_the_task_at_160() -> None:
+def test_two_cases_at_160() -> None:
     """To the millimetre as published, within 3 and 11 cm."""
     expected = {
         "Gamma PasInP": (1002.073, 1002.073, 1113.184, 1002.073, 1113.184, 1202.073, 1290.962,
