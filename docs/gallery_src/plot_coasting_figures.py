@@ -103,11 +103,10 @@ assert abs(k7.speed - 60 / 3.6) < 1e-6
 for target, k in zip(targets, (k4, k7), strict=True):
     assert abs(k.speed - CIRCUIT.curve(target.position - k.position, target.speed)) < 1e-6
 
+told = {"1": (0.45, 0.54, 0.08), "2": (0.10, 0.13, 0.02)}
 for name, run, flat in (("1", first, flat_1), ("2", second, flat_2)):
     saved = 1.0 - run.energy / flat.energy
     later = run.changes[-1].time / flat.changes[-1].time - 1.0
     braked = 1.0 - run.brake_work / flat.brake_work
     print(f"Figure {name}: energy −{saved:.0%}, brake work −{braked:.0%}, time +{later:.0%}")
-    assert saved > 0.0
-    assert braked > 0.0
-    assert later > 0.0
+    assert np.allclose((saved, braked, later), told[name], atol=0.006)

@@ -165,6 +165,9 @@ def test_coasting_saves_energy_and_brakes_and_costs_time(shape: str) -> None:
         assert one.changes[-1].time > flat.changes[-1].time
         assert one.position[-1] == pytest.approx(10000.0, abs=0.01)
     assert found["cut"].energy < found["reduced"].energy
+    # where the train does not pull again, both have paid the same
+    assert found["cut"].energy <= found["light braking"].energy * (1.0 + 1e-9)
+    assert found["cut"].brake_work < found["light braking"].brake_work
     assert found["cut"].changes[-1].time < found["light braking"].changes[-1].time
     assert found["cut"].brake_work < flat.brake_work
 

@@ -10,8 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
+from railgrip.control.etcs.braked_weight import deceleration_of
+from railgrip.control.etcs.ceiling import ceiling_margin
 from railgrip.control.etcs.curves import brake_field, emergency_curve
 from railgrip.control.etcs.deceleration_curve import deceleration_curve
+from railgrip.control.etcs.intervention_times import times_of
+from railgrip.control.etcs.limit_speed import limit_speed
 from railgrip.control.etcs.steps import Steps, constant
 from railgrip.control.etcs.supervision import supervision_limits
 from railgrip.control.etcs.train_data import (
@@ -139,3 +143,63 @@ def test_guidance_moves_the_permitted_speed_outwards() -> None:
 def test_a_fall_that_the_brake_does_not_hold_is_refused() -> None:
     with pytest.raises(RailgripError, match="does not slow the train on the gradient"):
         supervision_limits(train(0.3), track((0.0, -0.05)), Target(5000.0), SPEEDS)
+
+
+def test_the_driver_s_time_in_the_indication() -> None:
+    """SUBSET-026 v4: 4 s more."""
+    found = [supervision_limits(train(), track((0.0, 0.0)), Target(5000.0), SPEEDS,
+                                driver_reacts=way) for way in (False, True)]  # fmt: skip
+    assert found[1].indication - found[0].indication == pytest.approx(4.0 * SPEEDS)
+    assert (found[1].permitted == found[0].permitted).all()
+
+
+def test_the_indication_knows_the_true_brake_whoever_commands_it() -> None:
+    """0.8 T_bs with T_bs = 10 s, with and without interface."""
+    for interface in (False, True):
+        one = train(commands_service_brake=interface)
+        one = one._replace(brakes=one.brakes._replace(service_time=10.0))
+        found = supervision_limits(one, track((0.0, 0.0)), Target(5000.0), [40.0])
+        assert float(found.indication[0] - found.permitted[0]) == pytest.approx(8.0 * 40.0)
+
+
+@pytest.mark.parametrize(
+    ("interface", "cuts", "traction"),
+    [(False, False, 9.0), (False, True, 7.0), (True, True, 2.0), (True, False, 9.0)],
+)
+def test_traction_before_the_brake(interface: bool, cuts: bool, traction: float) -> None:
+    """T_traction = max(T_cutoff − (T_warning + T_bs2), 0) with an interface, else T_cutoff."""
+    one = train(commands_service_brake=interface, cuts_traction=cuts, traction_cut_off_time=9.0)
+    found = times_of(one)
+    assert found.traction == pytest.approx(traction)
+    assert found.remaining == pytest.approx(max(4.0 - traction, 0.0))
+
+
+@given(st.floats(5.0, 35.0))
+def test_to_a_speed_limit_the_curve_meets_the_ceiling_s_margin_at_the_target(v: float) -> None:
+    target = Target(5000.0, v, is_end_of_authority=False)
+    curve = emergency_curve(train(), track((0.0, 0.0)), target, 50.0)
+    assert float(curve.position_at(v + ceiling_margin(v))) == pytest.approx(5000.0)
+    found = supervision_limits(train(), track((0.0, 0.0)), target, [v - 0.5, v, v + 1.0])
+    assert np.isnan(found.ebd[0])
+    assert np.isnan(found.sbd).all()
+    assert float(found.permitted[1]) >= 0.0
+
+
+@given(st.floats(30.0, 245.0), st.floats(3.0, 5.0))
+def test_more_braked_weight_never_needs_more(percentage: float, more: float) -> None:
+    """Over the whole range of the conversion, at speeds up to 200 km/h."""
+    found = []
+    for value in (percentage, percentage + more):
+        one = train()._replace(brakes=Brakes(deceleration_of(value), constant(1.0), 4.0, 5.0))
+        found.append(supervision_limits(one, track((0.0, 0.0)), Target(9000.0), SPEEDS).ebd)
+    assert (found[1] < found[0]).all()
+
+
+@given(hills, st.floats(1000.0, 4800.0))
+def test_limit_speed_inverts_the_limits(hill: Track, position: float) -> None:
+    speed = limit_speed(train(), hill, Target(5000.0), position, ceiling=60.0)
+    limits = supervision_limits(train(), hill, Target(5000.0), [speed])
+    distance = 5000.0 - position
+    assert speed == pytest.approx(60.0) or float(limits.permitted[0]) == pytest.approx(
+        distance, abs=1e-5
+    )

@@ -177,8 +177,8 @@ class Driver:
             if self.station - state[0] <= TINY * 10 and state[1] <= CRAWL:
                 break
             before = pulls
-            pulls = self._force(time, state, now) > TINY * self.train.mass
-            switchings += pulls != before
+            pulls = bool(self._force(time, state, now) > TINY * self.train.mass)
+            switchings += int(pulls != before)
             if now.mode == "stand":
                 time, event = self._wait(time, state), "renewal"
                 continue
