@@ -203,3 +203,13 @@ def test_limit_speed_inverts_the_limits(hill: Track, position: float) -> None:
     assert speed == pytest.approx(60.0) or float(limits.permitted[0]) == pytest.approx(
         distance, abs=1e-5
     )
+
+
+def test_a_supervised_location_behind_the_end_of_authority() -> None:
+    """The emergency brake may use the overlap, the service brake not."""
+    targets = Target(5000.0), Target(5000.0, supervised_location=5080.0)
+    level = track((0.0, 0.0))
+    plain, overlap = (supervision_limits(train(), level, target, SPEEDS) for target in targets)
+    assert plain.ebd - overlap.ebd == pytest.approx(80.0)
+    assert (plain.sbd == overlap.sbd).all()
+    assert overlap.warning - 2.0 * SPEEDS == pytest.approx(np.maximum(overlap.sbi1, overlap.sbi2))

@@ -30,6 +30,9 @@ BAD = {
     "two brakes": (LAMBDA.replace("120", '120\nservice_time = "1 s"'), "contradicts braked_weight"),
     "weak": (LAMBDA.replace("120", "20"), "allowed: 30 to 250 %"),
     "too long": (LAMBDA.replace("400 m", "1 km"), "900 m for passenger P"),
+    "steps in order": (GAMMA.replace('value = "0.9', 'from = 0, value = "0.9').replace(
+        'from = "100 km/h", from = 0', "from = 0"), "emergency[1]: must begin above"),
+    "percentage": (LAMBDA.replace("120", '"heavy"'), "150 %"),
     "unknown key": (LAMBDA + "sped = 1", "did you mean 'speed'?"),
     "speed at an end": (LAMBDA + 'speed = "20 km/h"', 'kind = "speed limit"'),
     "location before": (LAMBDA + 'supervised_location = "4 km"', "must not lie before"),
@@ -65,8 +68,9 @@ def test_writes_table_and_figure(case: Path, capsys: pytest.CaptureFixture[str])
     assert float(by_speed[100.0]["gui_m"]) == pytest.approx((100 / 3.6) ** 2, abs=2e-3)
 
 
-def test_json(case: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    case.write_text(LAMBDA, encoding="utf-8")
+@pytest.mark.parametrize("percentage", ["120", '"120 %"'])
+def test_json(percentage: str, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    case.write_text(LAMBDA.replace("120", percentage), encoding="utf-8")
     assert execute(["etcs", str(case), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert len(found["permitted"]) == len(found["speed"]) == 41

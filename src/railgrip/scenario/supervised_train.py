@@ -17,7 +17,7 @@ from railgrip.scenario.supervision_values import (
     FactorStep,
     unordered,
 )
-from railgrip.scenario.units import Acceleration, Dimensionless, Length, Speed, Time
+from railgrip.scenario.units import Acceleration, Dimensionless, Length, Percentage, Speed, Time
 
 
 class SupervisedTrain(Model):
@@ -25,7 +25,7 @@ class SupervisedTrain(Model):
 
     length: Length = Field(gt=0, le=5000, description="Length.")
     top_speed: Speed = Field(default=FASTEST, gt=0, le=FAST, description="Maximum speed.")
-    braked_weight: float | None = Field(default=None, description="λ, per cent.")
+    braked_weight: Percentage | None = Field(default=None, description="λ, per cent.")
     position: Literal["passenger P", "freight P", "freight G"] = Field(
         default="passenger P", description="Brake position."
     )

@@ -126,6 +126,6 @@ def unordered(
 ) -> list[Problem]:
     """Return what is wrong with the order of a list of steps."""
     return [
-        Problem(f"{name}[{i + 1}].from", "must lie above the entry before it")
+        Problem(f"{name}[{i + 1}]", "must begin above the entry before it")
         for i, (a, b) in enumerate(pairwise(items)) if b.begin <= a.begin
     ]  # fmt: skip
