@@ -2,30 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from railgrip.control.coasting.coasting_law import (
-    AT_THE_CURVE,
-    AnnouncedTarget,
-    CoastingCommand,
-    CoastingLaw,
-    targets_ahead,
-)
+from railgrip.control.coasting.coasting_law import CoastingLaw
 from railgrip.control.coasting.moving_authority import MovingAuthority
-from railgrip.control.etcs.steps import Steps, constant
+from railgrip.control.etcs.steps import Steps
 from railgrip.core.errors import Problem, RailgripError
+from railgrip.laboratory.coasting_events import events_after, located
 from railgrip.laboratory.point_train import PointTrain
+from railgrip.laboratory.train_control import CRAWL, TINY, Situation, TrainControl
 
 Array = NDArray[np.float64]
-Signed = Callable[[float, Array], float]
-TINY: Final = 1e-6
-CRAWL: Final = 0.05
-"""Below it the last bit of a stop is done by formula, m/s."""
 
 
 class Change(NamedTuple):
@@ -66,17 +57,6 @@ class CoastingRun(NamedTuple):
     def at(self, event: str, number: int = 0) -> Change:
         """Return the change that an event led to, by its number."""
         return [change for change in self.changes if change.event == event][number]
-
-
-class _Situation(NamedTuple):
-    """What is constant until the next event."""
-
-    mode: str
-    command: CoastingCommand
-    targets: list[AnnouncedTarget]
-    limit: float
-    gradient: float
-    followed: AnnouncedTarget | None = None
 
 
 class Driver:
@@ -125,17 +105,10 @@ class Driver:
         authority: MovingAuthority | None = None,
         with_coasting: bool = True,
     ) -> None:
-        self.train, self.law, self.limits, self.station = train, law, limits, station
-        self.gradient = constant(0.0) if gradient is None else gradient
-        self.authority, self.with_coasting = authority, with_coasting
-        drops = [
-            AnnouncedTarget(at, value)
-            for at, value, before in zip(
-                limits.begins[1:], limits.values[1:], limits.values, strict=False
-            )
-            if value < before and at < station
-        ]
-        self.targets = [*drops, AnnouncedTarget(station, 0.0, is_station=True)]
+        self.control = TrainControl(
+            train, law, limits, station,
+            gradient=gradient, authority=authority, with_coasting=with_coasting,
+        )  # fmt: skip
 
     def run(
         self,
@@ -166,18 +139,18 @@ class Driver:
         RailgripError
             Where the train stalls.
         """
-        self.law.reset()
+        self.control.law.reset()
         time, state, event = 0.0, np.array([begin, speed, 0.0, 0.0]), "start"
         moments = [np.array([0.0])]
         states, changes, pulls, switchings = [state[:, None]], [], False, 0
         while time < at_most:
-            now = self._decide(time, state)
+            now = self.control.decide(time, state)
             ready, acting = now.command.is_ready, now.command.is_acting
             changes.append(Change(time, state[0], state[1], event, now.mode, ready, acting))
-            if self.station - state[0] <= TINY * 10 and state[1] <= CRAWL:
+            if self.control.station - state[0] <= TINY * 10 and state[1] <= CRAWL:
                 break
             before = pulls
-            pulls = bool(self._force(time, state, now) > TINY * self.train.mass)
+            pulls = bool(self.control.force(time, state, now) > TINY * self.control.train.mass)
             switchings += int(pulls != before)
             if now.mode == "stand":
                 time, event = self._wait(time, state), "renewal"
@@ -192,89 +165,34 @@ class Driver:
         )  # fmt: skip
 
     def _wait(self, time: float, state: Array) -> float:
-        later = np.inf if self.authority is None else self.authority.next_renewal(time)
+        later = (
+            np.inf if self.control.authority is None else self.control.authority.next_renewal(time)
+        )
         if not np.isfinite(later):
             raise RailgripError(
                 Problem("run", "the train stands and cannot go on", got=f"{state[0]:.6g} m")
             )
         return float(later)
 
-    def _decide(self, time: float, state: Array) -> _Situation:
-        position, speed = float(state[0]), float(state[1])
-        targets = targets_ahead(position, self._announced(time))
-        command = self.law.step(position, speed, targets, by_control=self.with_coasting)
-        gradient = self.gradient.at(position + TINY)
-        limit = self.limits.at(position + TINY)
-        if not targets:  # the leader stands right ahead
-            return _Situation("stand", command, targets, limit, gradient)
-        free = self._free(speed, gradient, command)
-        mode, followed = "free", None
-        if command.must_brake:
-            followed = min(self._met(position, speed, targets), key=lambda t: self._foot(time, t))
-            if self._needed(time, speed, followed) < free - TINY:
-                mode = "brake"
-        if mode == "free" and free > 0.0:
-            if speed >= limit - TINY:
-                mode = "cruise"
-            elif command.holds_speed:
-                mode = "hold"
-        if speed <= CRAWL / 10 and (mode in ("brake", "hold") or free <= 0.0):
-            mode = "stand"
-        return _Situation(mode, command, targets, limit, gradient, followed)
-
-    def _met(
-        self, position: float, speed: float, targets: list[AnnouncedTarget]
-    ) -> list[AnnouncedTarget]:
-        """Return the targets whose braking curve is reached."""
-        law = self.law
-        return [t for t in targets if law.above_braking(position, speed, [t]) >= -2 * AT_THE_CURVE]
-
-    def _foot(self, time: float, target: AnnouncedTarget) -> float:
-        """Return how fast the foot of a target's braking curve moves."""
-        if self.authority is None or target in self.targets:
-            return 0.0
-        return self.authority.speed(time)
-
-    def _announced(self, time: float) -> list[AnnouncedTarget]:
-        return self.targets + ([] if self.authority is None else [self.authority.target(time)])
-
-    def _free(self, speed: float, gradient: float, command: CoastingCommand) -> float:
-        return self.train.free_acceleration(speed, gradient, command.traction, command.brake)
-
-    def _needed(self, time: float, speed: float, followed: AnnouncedTarget) -> float:
-        """Return the acceleration that follows a braking curve."""
-        foot = self._foot(time, followed)
-        b = self.law.parameters.braking
-        return b * (foot / max(speed, CRAWL) - 1.0) if foot > 0.0 else -b
-
-    def _acceleration(self, time: float, speed: float, now: _Situation) -> float:
-        if now.mode == "brake" and now.followed is not None:
-            return self._needed(time, speed, now.followed)
-        if now.mode in ("cruise", "hold"):
-            return 0.0
-        return self._free(speed, now.gradient, now.command)
-
-    def _force(self, time: float, state: Array, now: _Situation) -> float:
-        """Return the force at the wheel, traction positive."""
-        if now.mode == "stand":
-            return 0.0
-        resistance = self.train.running_resistance(state[1], now.gradient)
-        return self.train.inertia * self._acceleration(time, state[1], now) + resistance
-
     def _drive(
-        self, time: float, state: Array, now: _Situation, spacing: float
+        self, time: float, state: Array, now: Situation, spacing: float
     ) -> tuple[float, Array, str, tuple[Array, Array]]:
         """Drive to the next event; return time, state, its name, and the piece driven."""
 
         def slope(t: float, y: Array) -> list[float]:
-            power = self._force(t, y, now) * y[1]
-            return [y[1], self._acceleration(t, y[1], now), max(power, 0.0), max(-power, 0.0)]
+            power = self.control.force(t, y, now) * y[1]
+            return [
+                y[1],
+                self.control.acceleration(t, y[1], now),
+                max(power, 0.0),
+                max(-power, 0.0),
+            ]
 
-        events = self._events(state, now)
+        events = events_after(self.control, state, now)
         until = time + 2e4
-        if self.authority is not None:
-            until = min(until, self.authority.next_renewal(time))
-        signs = [_event(function, direction) for function, direction in events.values()]
+        if self.control.authority is not None:
+            until = min(until, self.control.authority.next_renewal(time))
+        signs = [located(function, direction) for function, direction in events.values()]
         done = solve_ivp(slope, (time, until), state, method="DOP853", events=signs,
                          rtol=1e-9, atol=1e-9, max_step=spacing)  # fmt: skip
         state, time, event = done.y[:, -1].copy(), float(done.t[-1]), "renewal"
@@ -287,74 +205,9 @@ class Driver:
             time, state = self._last_bit(time, state, now)
         return time, state, event, (done.t, done.y)
 
-    def _last_bit(self, time: float, state: Array, now: _Situation) -> tuple[float, Array]:
-        slowed = max(-self._acceleration(time, state[1], now), 1e-3)
+    def _last_bit(self, time: float, state: Array, now: Situation) -> tuple[float, Array]:
+        slowed = max(-self.control.acceleration(time, state[1], now), 1e-3)
         last = state[1] / slowed
-        lost = 0.5 * self.train.inertia * state[1] ** 2 if now.mode == "brake" else 0.0
+        lost = 0.5 * self.control.train.inertia * state[1] ** 2 if now.mode == "brake" else 0.0
         position = state[0] + 0.5 * state[1] * last
         return time + last, np.array([position, 0.0, state[2], state[3] + lost])
-
-    def _events(self, state: Array, now: _Situation) -> dict[str, tuple[Signed, float]]:
-        """Return what may come next: signed function and direction, by name."""
-        law, ahead, found = self.law, now.targets, dict[str, tuple[Signed, float]]()
-        followed = now.followed if now.mode == "brake" else None
-        free: Signed = lambda t, y: self._free(y[1], now.gradient, now.command)  # noqa: E731
-        others = [target for target in ahead if target is not followed]
-        above: Signed = lambda t, y: law.above_braking(  # noqa: E731
-            y[0], y[1], self._current(t, others)
-        )
-        place = self._next_place(float(state[0]), ahead)
-        name = "target" if any(target.position == place for target in ahead) else "line"
-        found[name] = (lambda t, y: y[0] - place, 1.0)
-        if now.command.is_acting:
-            found["release"] = (
-                lambda t, y: law.above_release(y[0], y[1], self._current(t, ahead)),
-                -1.0,
-            )
-        elif now.command.is_ready and now.mode != "brake":
-            found["coasting"] = (
-                lambda t, y: law.above_coasting(y[0], y[1], self._current(t, ahead)),
-                1.0,
-            )
-        found["braking"] = (above, 1.0)
-        if followed is not None:
-            needed: Signed = lambda t, y: self._needed(t, y[1], followed)  # noqa: E731
-            found["off the curve"] = (lambda t, y: needed(t, y) + TINY - free(t, y), 1.0)
-        elif now.command.must_brake:
-            found["below"] = (lambda t, y: above(t, y) + TINY, -1.0)
-        if law.parameters.least_speed > 0.0:
-            rising = 1.0 if law.state.is_slow else -1.0
-            found["least speed"] = (lambda t, y: law.above_least_speed(y[1]), rising)
-        if law.past_station_limit(float(state[0]), ahead) < -TINY:
-            found["station"] = (lambda t, y: law.past_station_limit(y[0], ahead), 1.0)
-        if now.mode == "free":
-            found["permitted speed"] = (lambda t, y: y[1] - now.limit, 1.0)
-        if now.mode in ("cruise", "hold"):
-            found["too slow"] = (free, -1.0)
-        found["crawl"] = (lambda t, y: y[1] - CRAWL, -1.0)
-        return found
-
-    def _current(
-        self, time: float, targets: Sequence[AnnouncedTarget]
-    ) -> Sequence[AnnouncedTarget]:
-        """Return the targets; the end of a continuous authority has moved since the last event."""
-        if self.authority is None or self.authority.period > 0.0:
-            return targets
-        now = self.authority.target(time)
-        return [target if target in self.targets else now for target in targets]
-
-    def _next_place(self, position: float, ahead: Sequence[AnnouncedTarget]) -> float:
-        """Return where the next target, limit or gradient begins."""
-        moving = self.authority is not None and self.authority.period == 0.0
-        places = [t.position for t in ahead if not moving or t in self.targets]
-        places += [*self.limits.begins, *self.gradient.begins]
-        return min((place for place in places if place > position + TINY), default=np.inf)
-
-
-def _event(function: Signed, direction: float) -> Signed:
-    def event(t: float, y: Array) -> float:
-        return function(t, y)
-
-    event.terminal = True  # type: ignore[attr-defined]
-    event.direction = direction  # type: ignore[attr-defined]
-    return event
