@@ -87,6 +87,7 @@ class Driver:
     Examples
     --------
     >>> from railgrip.control.coasting.coasting_parameters import CoastingParameters
+    >>> from railgrip.control.etcs.steps import constant
     >>> train = PointTrain(200e3, 0.06, 150e3, 2.5e6, (2.5e3, 30.0, 6.0), 0.7)
     >>> law = CoastingLaw(CoastingParameters(0.7, coasting_deceleration=0.15))
     >>> run = Driver(train, law, constant(38.0), 4000.0).run()
