@@ -20,6 +20,7 @@ from railgrip.app.commands.check import check
 from railgrip.app.commands.compare import compare
 from railgrip.app.commands.contact import contact
 from railgrip.app.commands.demo import demo
+from railgrip.app.commands.etcs import etcs
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
 from railgrip.app.commands.qualify import qualify
@@ -43,7 +44,7 @@ app = App(
     default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
 )
-for command in (demo, run, compare, contact, check, tune, qualify, new, schema):
+for command in (demo, run, compare, contact, check, tune, qualify, new, schema, etcs):
     app.command(command)
 app.command(list_names, name="list")
 

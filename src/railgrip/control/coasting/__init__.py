@@ -1,0 +1,1 @@
+"""Coasting-initiation: traction ends early enough to meet the braking curve later and slower."""

@@ -1,0 +1,90 @@
+"""`railgrip etcs`: table, files, JSON, and a sentence for every bad input."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+
+from railgrip.app.cli import execute
+
+GAMMA = """
+[train]
+length = "300 m"
+emergency = [{ value = "1.1 m/s^2" }, { from = "100 km/h", value = "0.9 m/s^2" }]
+service = [{ value = "0.8 m/s^2" }]
+normal_service = [{ value = "0.5 m/s^2" }]
+kwet = [{ value = 0.85 }]
+kdry = [{ confidence_level = 9, steps = [{ value = 0.9 }] }]
+emergency_time = "3 s"
+service_time = "4 s"
+[target]
+at = "5 km"
+"""
+LAMBDA = '[train]\nlength = "400 m"\nbraked_weight = 120\n[target]\nat = "5 km"\n'
+
+BAD = {
+    "no brake": ('[train]\nlength = "1 m"\n[target]\nat = "1 km"', "train.emergency: is missing"),
+    "two brakes": (LAMBDA.replace("120", '120\nservice_time = "1 s"'), "contradicts braked_weight"),
+    "weak": (LAMBDA.replace("120", "20"), "allowed: 30 to 250 %"),
+    "too long": (LAMBDA.replace("400 m", "1 km"), "900 m for passenger P"),
+    "steps in order": (GAMMA.replace('value = "0.9', 'from = 0, value = "0.9').replace(
+        'from = "100 km/h", from = 0', "from = 0"), "emergency[1]: must begin above"),
+    "percentage": (LAMBDA.replace("120", '"heavy"'), "150 %"),
+    "unknown key": (LAMBDA + "sped = 1", "did you mean 'speed'?"),
+    "speed at an end": (LAMBDA + 'speed = "20 km/h"', 'kind = "speed limit"'),
+    "location before": (LAMBDA + 'supervised_location = "4 km"', "must not lie before"),
+    "gradient order": (LAMBDA + '[[gradient]]\nat = 9\nvalue = 0\n[[gradient]]\nat = 3\nvalue = 0',
+                       "gradient[1].at"),
+    "too steep": (LAMBDA + '[[gradient]]\nat = 0\nvalue = "-200 ‰"', "does not slow the train"),
+    "confidence": (GAMMA + "[national]\nconfidence_level = 4", "has no steps for"),
+    "no file": ("", "missing.toml"),
+}  # fmt: skip
+
+
+@pytest.fixture
+def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path / "case.toml"
+
+
+def test_writes_table_and_figure(case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    case.write_text(GAMMA + "[national]\nguidance = true\n", encoding="utf-8")
+    assert execute(["etcs", str(case), "--figures", "png,svg"]) == 0
+    printed = capsys.readouterr().out
+    assert "GUI" in printed
+    folder = case.parent / "out" / "case_etcs"
+    assert sorted(path.name for path in folder.iterdir()) == [
+        "curves.csv", "curves.png", "curves.svg",
+    ]  # fmt: skip
+    with (folder / "curves.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    by_speed = {float(row["speed_kmh"]): row for row in rows}
+    # 0.9·0.85·1.1 m/s² up to 100 km/h: v²/2b; guidance 0.5 m/s²
+    expected = (100 / 3.6) ** 2 / 2 / (0.9 * 0.85 * 1.1)
+    assert float(by_speed[100.0]["ebd_m"]) == pytest.approx(expected, abs=2e-3)
+    assert float(by_speed[100.0]["gui_m"]) == pytest.approx((100 / 3.6) ** 2, abs=2e-3)
+
+
+@pytest.mark.parametrize("percentage", ["120", '"120 %"'])
+def test_json(percentage: str, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    case.write_text(LAMBDA.replace("120", percentage), encoding="utf-8")
+    assert execute(["etcs", str(case), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert len(found["permitted"]) == len(found["speed"]) == 41
+    assert found["gui"][5] is None
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_input(name: str, case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text, word = BAD[name]
+    if text:
+        case.write_text(text, encoding="utf-8")
+    file = case if text else case.with_name("missing.toml")
+    assert execute(["etcs", str(file)]) == 2
+    told = capsys.readouterr()
+    assert word in told.err
+    assert told.out == ""
+    assert not (case.parent / "out").exists()
