@@ -30,6 +30,7 @@ SPRAYED = ("W3", "W4")
 
 
 def main() -> None:
+    """Run all programmes and write the tables."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n\n")[0])
     parser.add_argument("--repetitions", type=int, default=10)
     parser.add_argument("--threads", type=int, default=1)
@@ -93,8 +94,8 @@ def page(note: dict[str, Any]) -> str:
     names = list(found)
     lines = [
         f"`{note['command']}`, railgrip {note['railgrip_version']}, train `{note['train']}`, "
-        f"profile `{note['profile']}`, seed {note['seed']}. **Bold**: missed. The profile's limits "
-        "are illustrative or unverified, so a missed one is a question, not a verdict on a product.",
+        f"profile `{note['profile']}`, seed {note['seed']}. **Bold**: missed. The profile's "
+        "limits are illustrative or unverified, so a missed one is a question, not a verdict on a product.",
         "",
         f"| limit | {' | '.join(f'`{name}`' for name in names)} |",
         f"|---|{'---|' * len(names)}",
