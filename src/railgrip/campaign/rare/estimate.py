@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from railgrip.campaign.rare.failures import FailureStates
 from railgrip.campaign.rare.levels import SHORTFALLS
 from railgrip.campaign.rare.proposal import Sample, components, draw
-from railgrip.campaign.rare.quantiles import Curve, Interval, curve, intervals
+from railgrip.campaign.rare.quantiles import RESOLVED, Curve, Interval, curve, intervals
 from railgrip.campaign.rare.surrogate import (
     Bend,
     Surrogate,
@@ -29,8 +29,6 @@ Model = Callable[[FloatArray, NDArray[np.bool_]], FloatArray]
 PILOT_ROUNDS = 2
 PILOT_SHARE = 0.1
 """Runs of one pilot round, as a share of the whole sample."""
-FEW = 30.0
-"""A level that rests on fewer effective runs is called uncertain."""
 MOST_CENTRES = 5000
 """States beyond take their centre from those of the units that failed."""
 
@@ -123,7 +121,8 @@ def rare_quantiles(
     the direction in which the result falls; final samples are drawn beyond where each level
     begins and weighted by the balance heuristic over all levels. Pilots are not counted. Known
     wrong when the result falls in several quite different directions at once and a pilot of
-    thousands sees only one of them: check with `railgrip.campaign.rare.cross_checks`.
+    thousands sees only one of them; a level that this leaves unresolved gets an open interval and
+    a warning. Check a new model with `railgrip.campaign.rare.cross_checks`.
 
     References
     ----------
@@ -297,9 +296,10 @@ def _shares(
 def _warnings(chances: FloatArray, rows: list[Interval], states: FailureStates) -> list[str]:
     found = []
     for p, row in zip(chances, rows, strict=True):
-        if row.effective < FEW:
+        if row.effective < RESOLVED:
             found.append(
-                f"the level of {p:.3g} rests on {row.effective:.0f} effective runs: take more runs"
+                f"the level of {p:.3g} is not resolved: it rests on {row.effective:.0f} effective "
+                "runs, because the results fall in several directions or the runs are too few"
             )
         elif not (math.isfinite(row.low_all) and math.isfinite(row.high_all)):
             found.append(f"the interval of level {p:.3g} is open: take more runs")

@@ -23,6 +23,11 @@ CONFIDENCE = 0.95
 """Of every interval; the simultaneous ones hold all levels at once with it."""
 
 
+RESOLVED = 100.0
+"""A level that rests on fewer effective runs is not resolved: its intervals stay open. So few mean
+that the proposal missed where the rare runs lie, and then their own variance cannot be trusted."""
+
+
 class Curve(NamedTuple):
     """Probability that a result is at most a bound, over all bounds that occurred.
 
@@ -45,7 +50,7 @@ class Curve(NamedTuple):
 
 
 class Interval(NamedTuple):
-    """Where a quantile lies."""
+    """Where a quantile lies: interval of its own, interval that holds with all others, weight."""
 
     value: float
     low: float
@@ -133,7 +138,11 @@ def intervals(found: Curve, probabilities: FloatArray, left_out: float) -> list[
         low, high = _band(found, p, each, left_out)
         low_all, high_all = _band(found, p, every, left_out)
         at = min(int(np.searchsorted(found.bound, value)), len(found.bound) - 1)
-        rows.append(Interval(value, low, high, low_all, high_all, float(found.effective[at])))
+        effective = float(found.effective[at])
+        if effective < RESOLVED:
+            low = low_all = -np.inf
+            high = high_all = np.inf
+        rows.append(Interval(value, low, high, low_all, high_all, effective))
     return rows
 
 
