@@ -1,4 +1,4 @@
-"""The shipped trains, lines, rail conditions, contact pairs, pads, discs and scenarios, by name.
+"""The shipped trains, lines, rail conditions, pads, scenarios, safety cases and more, by name.
 
 This package holds files, not numbers in code. It only says which names exist and where their
 files lie, so that nothing else has to know the folders.
@@ -11,7 +11,9 @@ from pathlib import Path
 
 from railgrip.core.errors import RailgripError, unknown_name
 
-KINDS = ("trains", "lines", "rail_conditions", "contact_pairs", "pads", "discs", "scenarios")
+KINDS = (
+    "trains", "lines", "rail_conditions", "contact_pairs", "pads", "discs", "scenarios", "safety",
+)  # fmt: skip
 """The kinds of shipped data; each is a folder of this package."""
 
 
@@ -83,4 +85,6 @@ def _files(kind: str) -> dict[str, Path]:
 
 
 def _singular(kind: str) -> str:
+    if kind == "safety":
+        return "safety case"
     return kind.removesuffix("s").replace("_", " ")

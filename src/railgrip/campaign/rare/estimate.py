@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -11,26 +11,14 @@ from numpy.typing import NDArray
 
 from railgrip.campaign.rare.failures import FailureStates
 from railgrip.campaign.rare.levels import SHORTFALLS
+from railgrip.campaign.rare.pilots import Counted, Model, pilot
 from railgrip.campaign.rare.proposal import Sample, components, draw
 from railgrip.campaign.rare.quantiles import RESOLVED, Curve, Interval, curve, intervals
-from railgrip.campaign.rare.surrogate import (
-    Bend,
-    Surrogate,
-    fit_bend,
-    fit_direction,
-    surrogate_of,
-)
 from railgrip.core.errors import Problem, RailgripError
 
 FloatArray = NDArray[np.float64]
-Model = Callable[[FloatArray, NDArray[np.bool_]], FloatArray]
-"""normals (runs, variables), failed (runs, units) → result (runs,); larger is better."""
-
-PILOT_ROUNDS = 2
 PILOT_SHARE = 0.1
 """Runs of one pilot round, as a share of the whole sample."""
-MOST_CENTRES = 5000
-"""States beyond take their centre from those of the units that failed."""
 
 
 class RareResult(NamedTuple):
@@ -148,10 +136,10 @@ def rare_quantiles(
     chances = np.asarray(probabilities, dtype=float)
     _check(n_variables, chances, runs, states, owner)
     generator = np.random.Generator(np.random.Philox(seed))
-    asked = _Counted(model)
+    asked = Counted(model)
     owners = np.full(n_variables, -1) if owner is None else np.asarray(owner, dtype=np.intp)
     ladder = _ladder(chances)
-    surrogate = _pilot(asked, states, owners, ladder, max(200, int(PILOT_SHARE * runs)), generator)
+    surrogate = pilot(asked, states, owners, ladder, max(200, int(PILOT_SHARE * runs)), generator)
     pilots = asked.runs
     sample = draw(components(surrogate, states, ladder, runs), surrogate, states, generator)
     result = asked(sample.normals, states.failed[sample.state])
@@ -161,25 +149,6 @@ def rare_quantiles(
         chances, rows, found, _shares(rows, sample, result, states), sample, result, states,
         pilots, _warnings(chances, rows, states),
     )  # fmt: skip
-
-
-class _Counted:
-    """The model, counting its runs and refusing results that are no numbers."""
-
-    def __init__(self, model: Model) -> None:
-        self.model, self.runs = model, 0
-
-    def __call__(self, normals: FloatArray, failed: NDArray[np.bool_]) -> FloatArray:
-        result = np.asarray(self.model(normals, failed), dtype=float)
-        if result.shape != (len(normals),) or not np.isfinite(result).all():
-            bad = np.count_nonzero(~np.isfinite(result))
-            raise RailgripError(
-                Problem("model", "must give one finite result for each run",
-                        got=f"shape {result.shape}, {bad} of them not finite",
-                        allowed=f"({len(normals)},)")
-            )  # fmt: skip
-        self.runs += len(normals)
-        return result
 
 
 def _check(
@@ -212,85 +181,17 @@ def _ladder(chances: FloatArray) -> FloatArray:
     return np.unique(np.concatenate([chances, steps, [10.0**lowest]]))[::-1]
 
 
-def _pilot(
-    model: _Counted,
-    states: FailureStates,
-    owners: NDArray[np.intp],
-    ladder: FloatArray,
-    runs: int,
-    generator: np.random.Generator,
-) -> Surrogate:
-    """Learn centres from medians, then directions and bends from rounds of pilots."""
-    centre = _centres(model, states, len(owners))
-    per_count = max(3 * len(owners) + 20, runs // (2 * (states.count.max() + 1)))
-    rows = []
-    for count in np.unique(states.count):
-        members = np.flatnonzero(states.count == count)
-        weight = states.weight[members]
-        rows.append(members[generator.choice(len(members), per_count, p=weight / weight.sum())])
-    row = np.concatenate(rows)
-    normals = generator.standard_normal((len(row), len(owners)))
-    surrogate = _fitted(model, states, owners, centre, row, normals, None)
-    for _ in range(PILOT_ROUNDS):
-        sample = draw(components(surrogate, states, ladder, runs), surrogate, states, generator)
-        surrogate = _fitted(
-            model, states, owners, centre, sample.state, sample.normals, surrogate
-        )  # fmt: skip
-    return surrogate
-
-
-def _centres(model: _Counted, states: FailureStates, n_variables: int) -> FloatArray:
-    if len(states.weight) <= MOST_CENTRES:
-        return model(np.zeros((len(states.weight), n_variables)), states.failed)
-    units = states.failed.shape[1]
-    single = np.vstack([np.zeros((1, units), bool), np.eye(units, dtype=bool)])
-    given = model(np.zeros((units + 1, n_variables)), single)
-    return given[0] + states.failed @ (given[1:] - given[0])
-
-
-def _fitted(
-    model: _Counted,
-    states: FailureStates,
-    owners: NDArray[np.intp],
-    centre: FloatArray,
-    row: NDArray[np.intp],
-    normals: FloatArray,
-    before: Surrogate | None,
-) -> Surrogate:
-    """Return a surrogate fitted to runs; with too few of them for a count, as it was before."""
-    fall = model(normals, states.failed[row]) - centre[row]
-    works = np.ones((len(states.weight), len(owners)))
-    owned = owners >= 0
-    works[:, owned] = ~states.failed[:, owners[owned]]
-    gradients = np.zeros((len(states.weight), len(owners)))
-    bends = []
-    for count in range(int(states.count.max()) + 1):
-        members = states.count == count
-        here = members[row]
-        acting = works[row[here]]
-        if here.sum() < 2 * len(owners) + 10:
-            if before is not None:
-                gradients[members] = -(before.direction * before.slope[:, None])[members]
-            bends.append(before.bend[count] if before is not None else Bend())
-            continue
-        _, gradient = fit_direction(normals[here] * acting, fall[here])
-        gradients[members] = gradient * works[members]
-        own = surrogate_of(states, centre, gradients, [])
-        z = -fall[here] / own.slope[row[here]]
-        t = np.einsum("ij,ij->i", normals[here], own.direction[row[here]])
-        bends.append(fit_bend(z, t))
-    return surrogate_of(states, centre, gradients, bends)
-
-
 def _shares(
     rows: list[Interval], sample: Sample, result: FloatArray, states: FailureStates
 ) -> FloatArray:
-    counts = states.count[sample.state]
-    share = np.zeros((len(rows), int(states.count.max()) + 1))
+    counts = states.n_failed[sample.state]
+    share = np.zeros((len(rows), int(states.n_failed.max()) + 1))
     for i, row in enumerate(rows):
         below = result <= row.value
         np.add.at(share[i], counts[below], sample.weight[below])
-    return share / np.maximum(share.sum(axis=1, keepdims=True), 1e-300)
+    whole: FloatArray = share.sum(axis=1, keepdims=True)
+    divided: FloatArray = share / np.maximum(whole, 1e-300)
+    return divided
 
 
 def _warnings(chances: FloatArray, rows: list[Interval], states: FailureStates) -> list[str]:

@@ -33,7 +33,7 @@ class FailureStates(NamedTuple):
         Which units have failed.
     weight : (states,)
         Probability of each state.
-    count : (states,) int
+    n_failed : (states,) int
         How many units have failed.
     left_out : float
         Probability of all states that are not listed.
@@ -41,7 +41,7 @@ class FailureStates(NamedTuple):
 
     failed: NDArray[np.bool_]
     weight: FloatArray
-    count: NDArray[np.intp]
+    n_failed: NDArray[np.intp]
     left_out: float
 
 
@@ -77,11 +77,11 @@ def failure_states(
     Examples
     --------
     >>> states = failure_states([1e-3] * 16, ["brake"] * 16)
-    >>> [int(n) for n in states.count], float(states.weight[2].round(8))
+    >>> [int(n) for n in states.n_failed], float(states.weight[2].round(8))
     ([0, 1, 2, 3, 4, 5], 0.00011833)
     """
     chances = np.asarray(probabilities, dtype=float)
-    labels = list(range(len(chances))) if kinds is None else list(kinds)
+    labels: list[Hashable] = list(range(len(chances))) if kinds is None else list(kinds)
     _check(chances, labels)
     beyond = _more_than(chances)
     members: dict[Hashable, list[int]] = {}
@@ -121,7 +121,7 @@ def _check(chances: FloatArray, labels: list[Hashable]) -> None:
     ]
     if len(labels) != len(chances):
         problems.append(
-            Problem("kinds", "needs one label for each unit", got=f"{len(labels)} for {len(chances)}")
+            Problem("kinds", "needs one label for each unit", got=f"{len(labels)}")
         )  # fmt: skip
     else:
         first: dict[Hashable, float] = {}

@@ -34,7 +34,7 @@ class Component(NamedTuple):
 
     Attributes
     ----------
-    count : int
+    n_failed : int
         Number of failed units.
     begins : (members,)
         t beyond which it draws, for each state with so many failed units; −inf: everywhere.
@@ -44,7 +44,7 @@ class Component(NamedTuple):
         How many samples it gives.
     """
 
-    count: int
+    n_failed: int
     begins: FloatArray
     probability: float
     runs: int
@@ -91,12 +91,12 @@ def components(
         Runs to share out; small components are rounded up.
     """
     begins = surrogate.beginnings(states, surrogate.bounds(states, probabilities))
-    counts = np.unique(states.count)
+    counts = np.unique(states.n_failed)
     found = []
     for level in [-1, *range(len(probabilities))]:
         from_here = np.full(len(states.weight), -np.inf) if level < 0 else begins[level]
         tails = states.weight * ndtr(-from_here)
-        parts = np.array([tails[states.count == count].sum() for count in counts])
+        parts = np.array([tails[states.n_failed == count].sum() for count in counts])
         # the root gives the states that matter little their say: they may matter more than the
         # surrogate knows
         posterior = parts / parts.sum()
@@ -105,7 +105,7 @@ def components(
         for count, part, own in zip(counts, parts, said / said.sum(), strict=True):
             if own > 0.0 or level < 0:
                 size = max(LEAST_RUNS, round(runs * share * own))
-                found.append(Component(int(count), from_here[states.count == count], part, size))
+                found.append(Component(int(count), from_here[states.n_failed == count], part, size))
     return found
 
 
@@ -118,7 +118,7 @@ def draw(
     """Return the samples of all components."""
     state, position, origin = [], [], []
     for number, component in enumerate(chosen):
-        members = np.flatnonzero(states.count == component.count)
+        members = np.flatnonzero(states.n_failed == component.n_failed)
         tails = states.weight[members] * ndtr(-component.begins)
         picked = generator.choice(len(members), component.runs, p=tails / tails.sum())
         # one uniform number in each of so many equal parts: the intervals do not count on it
@@ -142,11 +142,11 @@ def _balance(
     """Return one over the density of all components together, relative to the true density."""
     density = np.zeros(len(t))
     place = np.zeros(len(states.weight), dtype=np.intp)
-    for count in np.unique(states.count):
-        members = np.flatnonzero(states.count == count)
+    for count in np.unique(states.n_failed):
+        members = np.flatnonzero(states.n_failed == count)
         place[members] = np.arange(len(members))
     for component in chosen:
-        here = np.flatnonzero(states.count[row] == component.count)
+        here = np.flatnonzero(states.n_failed[row] == component.n_failed)
         reached = t[here] > component.begins[place[row[here]]]
         density[here] += reached * (component.runs / component.probability)
     return 1.0 / density

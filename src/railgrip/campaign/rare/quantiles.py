@@ -80,9 +80,9 @@ def curve(result: FloatArray, sample: Sample, states: FailureStates) -> Curve:
     """
     bound = np.unique(result)
     probability, variance = np.zeros(len(bound)), np.zeros(len(bound))
-    counts = states.count[sample.state]
+    counts = states.n_failed[sample.state]
     for count in np.unique(counts):
-        exact = float(states.weight[states.count == count].sum())
+        exact = float(states.weight[states.n_failed == count].sum())
         part, own = _of_one_count(bound, result, sample, counts == count, exact)
         probability += part
         variance += own

@@ -64,7 +64,7 @@ class Surrogate(NamedTuple):
         z = (self.centre - bounds[:, None]) / self.slope
         t = np.empty_like(z)
         for count, bend in enumerate(self.bend):
-            here = states.count == count
+            here = states.n_failed == count
             t[:, here] = bend(z[:, here])
         return t
 

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import itertools
 import os
+from pathlib import Path
 from typing import Annotated, Literal
 
 from pydantic import Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
+from railgrip import data
 from railgrip.campaign.safety.marginals import NEEDS, problems_of_numbers
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.io.toml_file import read_toml
 from railgrip.scenario import Scenario, Train
 from railgrip.scenario.base import Model, Text, refuse
 from railgrip.scenario.explain import problems_of
+from railgrip.scenario.files import is_path
 from railgrip.scenario.quantity import Unit
 from railgrip.scenario.reference import Reference
 from railgrip.scenario.units import RATIO, Acceleration, Dimensionless, Speed
@@ -148,16 +152,20 @@ class SafetyCase(Model):
     def _fits_together(self) -> SafetyCase:
         problems = []
         steps = self.speed_steps
-        if steps[0] <= 0.0 or any(b <= a for a, b in zip(steps, steps[1:], strict=False)):
+        if steps[0] <= 0.0 or any(b <= a for a, b in itertools.pairwise(steps)):
             got = ", ".join(f"{step * 3.6:g} km/h" for step in steps)
             problems.append(Problem("speed_steps", "must be above 0 and rise", got=got))
         if steps[-1] > 600 / 3.6:
             problems.append(Problem("speed_steps", "must not pass 600 km/h"))
-        for kind, rows in (("variables", self.variables), ("failures", self.failures)):
+        named: dict[str, list[tuple[str, ...]]] = {
+            "variables": [row.brakes for row in self.variables],
+            "failures": [row.brakes for row in self.failures],
+        }
+        for kind, rows in named.items():
             for i, row in enumerate(rows):
                 problems += [
                     unknown_name(f"{kind}[{i}].brakes", "brake", name, self.train.brakes)
-                    for name in row.brakes
+                    for name in row
                     if name not in self.train.brakes
                 ]
         refuse(problems)
@@ -196,3 +204,10 @@ def read_safety_case(path: str | os.PathLike[str]) -> SafetyCase:
         return SafetyCase.model_validate(table)
     except ValidationError as error:
         raise RailgripError(problems_of(error, SafetyCase)) from None
+
+
+def find_case(word: str) -> Path:
+    """Return the file that a path or the name of a shipped case means."""
+    if is_path(word):
+        return Path(word)
+    return data.path("safety", word)

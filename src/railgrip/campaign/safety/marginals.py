@@ -81,9 +81,11 @@ def value(kind: str, given: dict[str, float], normals: FloatArray) -> FloatArray
     """
     if kind == "lognormal":
         variance = math.log1p((given["deviation"] / given["mean"]) ** 2)
-        return given["mean"] * np.exp(math.sqrt(variance) * normals - 0.5 * variance)
+        grown: FloatArray = np.exp(math.sqrt(variance) * normals - 0.5 * variance)
+        return given["mean"] * grown
     if kind == "uniform":
-        return given["low"] + (given["high"] - given["low"]) * ndtr(normals)
+        share: FloatArray = ndtr(normals)
+        return given["low"] + (given["high"] - given["low"]) * share
     if kind == "triangular":
         return _triangular(given["low"], given["mode"], given["high"], normals)
     mean, deviation = given["mean"], given["deviation"]
@@ -100,14 +102,16 @@ def _truncated(low: float, high: float, normals: FloatArray) -> FloatArray:
     p = below + ndtr(normals) * (1.0 - below - above)
     q = above + ndtr(-normals) * (1.0 - below - above)
     # from whichever tail is the smaller, so that no digit is lost
-    return np.clip(np.where(p < 0.5, ndtri(p), -ndtri(q)), low, high)
+    kept: FloatArray = np.clip(np.where(p < 0.5, ndtri(p), -ndtri(q)), low, high)
+    return kept
 
 
 def _triangular(low: float, mode: float, high: float, normals: FloatArray) -> FloatArray:
     width, rising = high - low, mode - low
     p, q = ndtr(normals), ndtr(-normals)
-    return np.where(
+    values: FloatArray = np.where(
         p * width < rising,
         low + np.sqrt(p * width * rising),
         high - np.sqrt(q * width * (high - mode)),
     )
+    return values

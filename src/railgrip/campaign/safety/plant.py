@@ -92,7 +92,9 @@ class Plant:
             found["DEMAND_DELAY", axle] = trains.dead[:, i]
             # a linear filling rises at a rate, the others approach their pressure
             is_linear = self.is_linear(i)
-            found["FILL_RATE", axle] = row[at.FILL_RATE - first] * faster * (more if is_linear else 1.0)
+            found["FILL_RATE", axle] = (
+                row[at.FILL_RATE - first] * faster * (more if is_linear else 1.0)
+            )
             found["INSHOT_RATE", axle] = row[at.INSHOT_RATE - first] * faster
         return found
 
