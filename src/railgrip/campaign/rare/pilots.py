@@ -34,6 +34,7 @@ class Counted:
         self.model, self.runs = model, 0
 
     def __call__(self, normals: FloatArray, failed: NDArray[np.bool_]) -> FloatArray:
+        """Return the results of many runs; refuse what is no finite number."""
         result = np.asarray(self.model(normals, failed), dtype=float)
         if result.shape != (len(normals),) or not np.isfinite(result).all():
             bad = np.count_nonzero(~np.isfinite(result))

@@ -22,6 +22,7 @@ from railgrip.campaign.safety.factors import (
 from railgrip.report.safety_chart import convergence_chart, exceedance_chart
 
 STYLE = """
+.scroll { margin-bottom: 1rem; }
 svg { width: 100%; max-width: 720px; height: auto; font: 12px system-ui, sans-serif; }
 svg text { fill: var(--ink); } svg .end { text-anchor: end; } svg .mid { text-anchor: middle; }
 svg .mark { text-anchor: end; font-weight: 600; } svg tspan { font-size: 9px; }
