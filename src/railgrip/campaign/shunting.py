@@ -70,7 +70,9 @@ N_VARS = 2 * WAGONS + 6
 def _begin(S: Any, k: int, train: Any, run: int, seed: int) -> None:
     """Draw the numbers of one run into a lane."""
     for w in range(WAGONS):
-        pressure = train.pressure + train.pressure_spread * standard_normal(3 * w, run, STREAM, seed)
+        pressure = train.pressure + train.pressure_spread * standard_normal(
+            3 * w, run, STREAM, seed
+        )
         efficiency = train.rigging_efficiency + train.efficiency_spread * standard_normal(
             3 * w + 1, run, STREAM, seed
         )
