@@ -111,6 +111,7 @@ def brute(runs: int) -> list[dict[str, float]]:
 
 
 def main() -> None:
+    """Study, print, and keep the results."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n\n")[0])
     parser.add_argument("--quick", action="store_true", help="a few seeds")
     parser.add_argument("--brute", type=int, default=20_000_000, help="plain runs of the formula")
@@ -120,7 +121,8 @@ def main() -> None:
     rows = study(seeds)
     for name, row in rows.items():
         print(f"{name}: {row['coverage']:.3f}, simultaneous {row['simultaneous']} of {seeds}, "
-              f"EBCL 4 ± {row['half_width'][4]:.5f}, EBCL 9 ± {row['half_width'][9]:.5f}")  # fmt: skip
+              f"EBCL 4 ± {row['half_width'][4]:.5f}, "
+              f"EBCL 9 ± {row['half_width'][9]:.5f}")  # fmt: skip
     counted = brute(100_000 if chosen.quick else chosen.brute)
     for one in counted:
         print(f"EBCL {one['level']}: {one['probability']:g}, brute force {one['brute']:.3g} "

@@ -88,27 +88,17 @@ def failure_states(
     for unit, label in enumerate(labels):
         members.setdefault(label, []).append(unit)
     groups = list(members.values())
+    # the last entry is exactly 0: no more than all can fail
+    most = int(np.argmax((beyond < negligible) | (beyond <= 0.0)))
+    _refuse_too_many([len(group) for group in groups], most)
     rows: list[NDArray[np.bool_]] = []
     weights: list[float] = []
-    most = 0
-    for count in range(len(chances) + 1):
-        most = count
+    for count in range(most + 1):
         for split in _splits(count, [len(group) for group in groups]):
             weight = _weight(split, groups, chances)
             if weight > 0.0:
                 rows.append(_state(split, groups, len(chances)))
                 weights.append(weight)
-            if len(rows) > MOST_STATES:
-                raise RailgripError(
-                    Problem(
-                        "failures",
-                        f"more than {MOST_STATES} states of the units are probable",
-                        got=f"{len(chances)} units of {len(groups)} kinds",
-                        cure="give units that are alike the same kind",
-                    )
-                )
-        if beyond[count] < negligible:
-            break
     failed = np.array(rows, dtype=bool).reshape(len(rows), len(chances))
     return FailureStates(failed, np.array(weights), failed.sum(axis=1), float(beyond[most]))
 
@@ -131,6 +121,18 @@ def _check(chances: FloatArray, labels: list[Hashable]) -> None:
                 problems.append(Problem(f"kind {label}", what, got=f"{first[label]:g} and {q:g}"))
     if problems:
         raise RailgripError(problems)
+
+
+def _refuse_too_many(sizes: list[int], most: int) -> None:
+    """Count the states before they are made: coefficients of Π (1 + x + … + xⁿ)."""
+    ways = np.ones(1)
+    for size in sizes:
+        ways = np.convolve(ways, np.ones(size + 1))[: most + 1]
+    if ways.sum() > MOST_STATES:
+        what = f"more than {MOST_STATES} states of the units are probable"
+        cure = "give units that are alike the same kind"
+        got = f"{sum(sizes)} units of {len(sizes)} kinds"
+        raise RailgripError(Problem("failures", what, got=got, cure=cure))
 
 
 def _more_than(chances: FloatArray) -> FloatArray:
