@@ -2,9 +2,9 @@
 One sample, ten confidence levels
 =================================
 
-Sixteen equal brakes, each failed once in a thousand stops, each force with a spread of 5 %: how much of
-the nominal force is there with 99.9999999 % confidence? The distribution has a mode for each number of
-failed brakes, and a closed form to compare with.
+Sixteen equal brakes, each failed once in a thousand stops, each force with a spread of 5 %: how
+much of the nominal force is there with 99.9999999 % confidence? The distribution has a mode for
+each number of failed brakes, and a closed form to compare with.
 """
 
 # %%
@@ -36,17 +36,13 @@ exact = (weight * ndtr((k - (N - j) / N) / (SPREAD * np.sqrt(N - j) / N))).sum(a
 
 curve = found.curve
 figure, axes = plt.subplots(figsize=(7, 4.8), layout="constrained")
-axes.fill_betweenx(
-    found.probability,
-    [q.low_all for q in found.quantile],
-    [q.high_all for q in found.quantile],
-    alpha=0.25,
-    label="95 %, all ten levels at once",
-)
 axes.semilogy(curve.bound, curve.probability, label=f"{found.runs} runs, pilots included")
 axes.semilogy(k, exact, "k:", label="closed form")
+values = np.array([q.value for q in found.quantile])
+reach = np.abs([[q.low_all, q.high_all] for q in found.quantile] - values[:, None]).T
+axes.errorbar(values, found.probability, xerr=reach, fmt="o", color="C0", markersize=4, capsize=3,
+              label="95 %, all ten levels at once")  # fmt: skip
 for level, (p, q) in enumerate(zip(found.probability, found.quantile, strict=True)):
-    axes.plot(q.value, p, "o", color="C0", markersize=4)
     axes.annotate(f"EBCL {level}", (q.value, p), xytext=(-6, 4), textcoords="offset points",
                   ha="right", fontsize=8)  # fmt: skip
 axes.set(
@@ -61,7 +57,9 @@ plt.show()
 # What the page states, asserted: all ten closed values lie within the simultaneous intervals, and
 # EBCL 9 is known to one thousandth.
 
-CLOSED = [.99975, .98289, .94141, .91825, .88657, .85856, .84376, .80208, .78800, .75146]  # fmt: skip
+CLOSED = [
+    0.99975, 0.98289, 0.94141, 0.91825, 0.88657, 0.85856, 0.84376, 0.80208, 0.78800, 0.75146,
+]  # fmt: skip
 for quantile, value in zip(found.quantile, CLOSED, strict=True):
     assert quantile.low_all <= value <= quantile.high_all
 last = found.quantile[9]
