@@ -127,6 +127,7 @@ class SafetyCase(Model):
     """What is to be shown: how surely this train brakes."""
 
     title: Text = Field(default="", description="Name for people.")
+    source: Text = Field(default="", description="Where the case comes from.")
     train: Annotated[Train, Reference("train")] = Field(
         description="A shipped train, a file or a table."
     )
