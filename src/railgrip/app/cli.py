@@ -16,6 +16,7 @@ from typing import NoReturn
 from cyclopts import App, CycloptsError, Parameter
 
 from railgrip import __version__
+from railgrip.app.commands.campaign_safety import safety
 from railgrip.app.commands.check import check
 from railgrip.app.commands.compare import compare
 from railgrip.app.commands.contact import contact
@@ -47,6 +48,9 @@ app = App(
 for command in (demo, run, compare, contact, check, tune, qualify, new, schema, etcs):
     app.command(command)
 app.command(list_names, name="list")
+campaign = App(name="campaign", help="Many runs: how surely, how far, how often.")
+campaign.command(safety)
+app.command(campaign)
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:

@@ -1,5 +1,4 @@
-"""The shipped trains, lines, rail conditions, contact pairs, pads, discs, scenarios and test
-profiles, by name.
+"""The shipped trains, lines, rail conditions, pads, scenarios, test profiles and more, by name.
 
 This package holds files, not numbers in code. It only says which names exist and where their
 files lie, so that nothing else has to know the folders.
@@ -14,6 +13,7 @@ from railgrip.core.errors import RailgripError, unknown_name
 
 KINDS = (
     "trains", "lines", "rail_conditions", "contact_pairs", "pads", "discs", "scenarios", "profiles",
+    "safety",
 )  # fmt: skip
 """The kinds of shipped data; each is a folder of this package."""
 
@@ -86,4 +86,6 @@ def _files(kind: str) -> dict[str, Path]:
 
 
 def _singular(kind: str) -> str:
+    if kind == "safety":
+        return "safety case"
     return kind.removesuffix("s").replace("_", " ")

@@ -1,0 +1,226 @@
+"""The report of a safety case: one HTML page that an assessor can follow from top to bottom."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from html import escape
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+
+import railgrip
+from railgrip.campaign.rare.convergence import convergence
+from railgrip.campaign.rare.levels import EBCL, SHORTFALLS
+from railgrip.campaign.safety.factors import (
+    SafetyFactors,
+    Step,
+    safe_deceleration,
+    safe_distance,
+)
+from railgrip.report.safety_chart import convergence_chart, exceedance_chart
+
+STYLE = """
+.scroll { margin-bottom: 1rem; }
+svg { width: 100%; max-width: 720px; height: auto; font: 12px system-ui, sans-serif; }
+svg text { fill: var(--ink); } svg .end { text-anchor: end; } svg .mid { text-anchor: middle; }
+svg .mark { text-anchor: end; font-weight: 600; } svg tspan { font-size: 9px; }
+svg .grid { stroke: var(--grid); }
+svg .curve { stroke: var(--accent); fill: none; stroke-width: 2; }
+svg .band { fill: var(--accent); opacity: .3; } svg .dot { fill: var(--ink); }
+.notice { border-left: 4px solid var(--bad); padding: .3rem .8rem; background: var(--card); }
+td.text, th.text { text-align: left; white-space: normal; }
+"""
+
+ASSUMPTIONS = (
+    "Nominal: dry rail, level line, the train exactly as its file says, nothing failed.",
+    "Deceleration distance: from the brake command to standstill, less the distance run until the "
+    "end of the nominal equivalent build-up time. A slower filling lowers K.",
+    "K_dry_rst(V, EBCL): nominal over real deceleration distance from V; a stop stays above it "
+    "with the confidence of the level. K_wet_rst(V): mean deceleration distance dry over wet, the "
+    "same trains on both, none failed.",
+    "A_brake_safe = K_dry (K_wet + M_NVAVADH (1 − K_wet)) A_brake_emergency (SUBSET-026 §3.13).",
+    "All quantities scatter independently unless 'per' says that axles share one; units fail "
+    "independently. A failed unit gives no brake force and nothing takes its place.",
+    "Failed units are enumerated with exact probabilities. The rest is sampled beyond where each "
+    "level begins, along a direction that pilot runs found, and weighted exactly (balance "
+    "heuristic). Pilots are not counted.",
+    "Intervals: all values that the sample does not contradict, by its own variance; 95 % for each "
+    "level, and wider ones that hold all ten levels at once with 95 %.",
+)
+
+
+def page(found: SafetyFactors) -> str:
+    """Return the page as text: self-contained, without scripts, light and dark."""
+    case = found.case
+    title = case.title or case.train.title or "Safety case"
+    look = (files("railgrip.report") / "template" / "page.css").read_text(encoding="utf-8")
+    body = [
+        f"<h1>K_dry_rst and K_wet_rst: {escape(title)}</h1>",
+        '<p class="notice"><strong>Simulation, not an approval.</strong> Every figure follows from '
+        "the assumptions and distributions below; where a source says illustrative, so is the "
+        "result.</p>",
+        f'<p class="small">railgrip {escape(railgrip.__version__)} · method {case.method} · seed '
+        f"{case.seed} · {case.runs} runs for each speed step, pilots on top</p>",
+        *_warnings(found),
+        "<h2>K_dry_rst</h2>",
+        *(_dry_table(step) for step in found.steps),
+        "<h2>K_wet_rst</h2>",
+        _wet_table(found),
+        "<h2>Safe deceleration and stopping distance</h2>",
+        _safe_table(found),
+        "<h2>What was assumed</h2>",
+        "<ol>" + "".join(f"<li>{escape(one)}</li>" for one in ASSUMPTIONS) + "</ol>",
+        _variables(found),
+        _failures(found),
+        "<h2>The sample</h2>",
+        *(_sample(step) for step in found.steps),
+        "<h2>Which failed units make which level</h2>",
+        *(_shares(step) for step in found.steps),
+    ]
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; '
+        "style-src 'unsafe-inline'; img-src data:\">\n"
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        '<meta name="color-scheme" content="light dark">\n<link rel="icon" href="data:,">\n'
+        f"<title>{escape(title)}</title>\n<style>{look}{STYLE}</style>\n</head>\n<body>\n"
+        + "\n".join(body)
+        + '\n<footer><p class="small">Simulation, not an approval: no figure here replaces a test '
+        "or an assessment.</p></footer>\n</body>\n</html>\n"
+    )
+
+
+def write_page(found: SafetyFactors, path: Path) -> Path:
+    """Write the page; nothing half-written is left behind."""
+    from railgrip.core.atomic import write_aside
+
+    with write_aside(path) as aside:
+        Path(aside).write_text(page(found), encoding="utf-8")
+    return path
+
+
+def _kmh(speed: float) -> str:
+    return f"{speed * 3.6:.4g} km/h"
+
+
+def _table(
+    caption: str, heads: Iterable[str], rows: Iterable[Iterable[str]], text: str = ""
+) -> str:
+    head = "".join(f'<th scope="col"{text}>{escape(one)}</th>' for one in heads)
+    lines = []
+    for first, *rest in rows:
+        cells = "".join(f"<td{text}>{escape(cell)}</td>" for cell in rest)
+        lines.append(f'<tr><th scope="row">{escape(first)}</th>{cells}</tr>')
+    return (
+        f'<div class="scroll"><table><caption>{escape(caption)}</caption><thead><tr>{head}</tr>'
+        f"</thead><tbody>{''.join(lines)}</tbody></table></div>"
+    )
+
+
+def _between(low: float, high: float) -> str:
+    if not (math.isfinite(low) and math.isfinite(high)):
+        return "not resolved"
+    return f"{low:.4f} … {high:.4f}"
+
+
+def _dry_table(step: Step) -> str:
+    rows = []
+    for level, p, k in zip(EBCL, SHORTFALLS, step.dry.quantile, strict=True):
+        confidence = f"{100 * (1 - p):.9f}".rstrip("0").rstrip(".") + " %"
+        rows.append([f"EBCL {level}", confidence, f"{k.value:.4f}", _between(k.low, k.high),
+                     _between(k.low_all, k.high_all), f"{k.effective:.0f}"])  # fmt: skip
+    heads = ["", "confidence", "K_dry_rst", "95 %", "95 %, all ten at once", "effective runs"]
+    return _table(f"From {_kmh(step.speed)}", heads, rows)
+
+
+def _wet_table(found: SafetyFactors) -> str:
+    rows = [
+        [_kmh(step.speed), f"{step.wet.value:.4f}", _between(step.wet.low, step.wet.high),
+         f"{step.wet.least:.4f}", str(step.wet.runs)]
+        for step in found.steps if step.wet is not None
+    ]  # fmt: skip
+    if not rows or found.case.wet is None:
+        return "<p>Not asked; taken as 1.</p>"
+    wet = found.case.wet
+    caption = f"Rail condition {wet.condition}, controller {wet.controller}, stepped in time"
+    return _table(caption, ["from", "K_wet_rst", "95 %", "least of all stops", "stops"], rows)
+
+
+def _safe_table(found: SafetyFactors) -> str:
+    heads = ["", *(f"{_kmh(step.speed)}: m/s²" for step in found.steps),
+             *(f"stop from {_kmh(step.speed)}: m" for step in found.steps)]  # fmt: skip
+    nominal = ["nominal", *(f"{step.emergency_deceleration:.3f}" for step in found.steps),
+               *(f"{step.distance:.1f}" for step in found.steps)]  # fmt: skip
+    rows = [nominal]
+    for level in EBCL:
+        rows.append([f"EBCL {level}", *(f"{a:.3f}" for a in safe_deceleration(found, level)),
+                     *(f"{s:.1f}" for s in safe_distance(found, level))])  # fmt: skip
+    caption = (
+        "A_brake_safe up to each speed, and the stopping distance with the nominal build-up time; "
+        f"M_NVAVADH {found.case.available_adhesion_weight:g}"
+    )
+    return _table(caption, heads, rows)
+
+
+def _variables(found: SafetyFactors) -> str:
+    rows = []
+    for one in found.case.variables:
+        numbers = ", ".join(f"{name} {getattr(one, name)}" for name in
+                            ("mean", "deviation", "low", "mode", "high")
+                            if getattr(one, name) is not None)  # fmt: skip
+        rows.append([one.quantity, one.per, one.means, one.distribution, numbers,
+                     ", ".join(one.brakes) or "all", one.source])  # fmt: skip
+    heads = ["quantity", "per", "as", "distribution", "numbers", "brakes", "source"]
+    return _table("What scatters", heads, rows, ' class="text"')
+
+
+def _failures(found: SafetyFactors) -> str:
+    rows = [
+        [one.per, f"{one.latent:g}", f"{one.on_demand:g}", f"{one.probability:.6g}",
+         ", ".join(one.brakes) or "all", one.source]
+        for one in found.case.failures
+    ]  # fmt: skip
+    if not rows:
+        return "<p>No unit fails.</p>"
+    heads = ["unit", "latent", "on demand", "together", "brakes", "source"]
+    states = found.layout.states
+    told = (
+        f"What fails: {len(found.layout.fails)} units, {len(states.weight)} different states "
+        f"enumerated, {states.left_out:.1e} left out and counted against the train"
+    )
+    return _table(told, heads, rows, ' class="text"')
+
+
+def _sample(step: Step) -> str:
+    dry = step.dry
+    marks = [
+        (level, k.value, p) for level, p, k in zip(EBCL, SHORTFALLS, dry.quantile, strict=True)
+    ]
+    stages = convergence(dry, len(EBCL) - 1)
+    columns = np.array([[s.quantile.value, s.quantile.low, s.quantile.high] for s in stages])
+    name = f"From {_kmh(step.speed)}"
+    return (
+        f"<figure><figcaption>{name}: how probable it is to brake worse (EBCL marked), with its "
+        "95 % band</figcaption>"
+        + exceedance_chart(dry.curve.bound, dry.curve.probability, dry.curve.error, marks)
+        + f"</figure><figure><figcaption>{name}: K_dry_rst at EBCL 9 as the sample grows "
+        f"({dry.pilots} pilots besides)</figcaption>"
+        + convergence_chart([s.runs for s in stages], columns[:, 0], columns[:, 1],
+                            columns[:, 2], "K_dry_rst, EBCL 9")
+        + "</figure>"
+    )  # fmt: skip
+
+
+def _shares(step: Step) -> str:
+    counts = range(step.dry.share.shape[1])
+    rows = [[f"EBCL {level}", *(f"{100 * share:.1f} %" for share in row)]
+            for level, row in zip(EBCL, step.dry.share, strict=True)]  # fmt: skip
+    heads = ["", *(f"{count} failed" for count in counts)]
+    return _table(f"From {_kmh(step.speed)}: of the runs that undercut the level", heads, rows)
+
+
+def _warnings(found: SafetyFactors) -> list[str]:
+    told = [f"{_kmh(step.speed)}: {one}" for step in found.steps for one in step.dry.warnings]
+    return [f'<p class="notice">{escape(one)}</p>' for one in told]

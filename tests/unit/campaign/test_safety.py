@@ -1,0 +1,153 @@
+"""The safety case: distributions, formula, plant, factors, and what a bad file is told."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from railgrip.campaign.safety import marginals
+from railgrip.campaign.safety.case import SafetyCase, find_case, read_safety_case
+from railgrip.campaign.safety.draws import layout_of, trains
+from railgrip.campaign.safety.factors import (
+    as_table,
+    dry_factor,
+    safe_deceleration,
+    safe_distance,
+    safety_factors,
+)
+from railgrip.campaign.safety.formula import Formula
+from railgrip.campaign.safety.page import page
+from railgrip.campaign.safety.plant import Plant
+from railgrip.core.errors import RailgripError
+from railgrip.train.en14531 import mean_resistance, stopping_distance
+
+SHIPPED = find_case("emu_en14531")
+
+
+@pytest.fixture(scope="module")
+def case() -> SafetyCase:
+    return read_safety_case(SHIPPED)
+
+
+@pytest.mark.parametrize(
+    ("kind", "numbers", "exact"),
+    [
+        ("normal", {"mean": 2.0, "deviation": 0.5}, stats.norm(2.0, 0.5)),
+        ("normal", {"mean": 0.0, "deviation": 1.0, "low": -1.0, "high": 2.0},
+         stats.truncnorm(-1.0, 2.0)),
+        ("lognormal", {"mean": 2.0, "deviation": 0.4},
+         stats.lognorm(np.sqrt(np.log(1.04)), scale=2.0 / np.sqrt(1.04))),
+        ("uniform", {"low": -1.0, "high": 3.0}, stats.uniform(-1.0, 4.0)),
+        ("triangular", {"low": 0.0, "mode": 1.0, "high": 4.0}, stats.triang(0.25, 0.0, 4.0)),
+    ],
+)  # fmt: skip
+def test_distributions_are_those_of_scipy(kind: str, numbers: dict[str, float], exact: Any) -> None:
+    u = np.linspace(-5.5, 5.5, 45)
+    assert marginals.value(kind, numbers, u) == pytest.approx(
+        exact.ppf(stats.norm.cdf(u)), rel=1e-7
+    )
+
+
+def test_nominal_train_is_that_of_the_standard_example(case: SafetyCase) -> None:
+    """EN 14531-1, simplified example: 497.8 m and 1.682 s from 100 km/h."""
+    distance, response = Formula(case, layout_of(case), 100 / 3.6).nominal()
+    assert distance == pytest.approx(497.8, abs=0.05)
+    assert response == pytest.approx(1.682, abs=5e-4)
+
+
+def test_many_trains_are_stopped_like_one(case: SafetyCase) -> None:
+    """The vectorised formula against `railgrip.train.en14531`, one train with a failed brake."""
+    layout = layout_of(case)
+    normals = np.zeros((1, layout.n_variables))
+    failed = np.zeros((1, 8), dtype=bool)
+    failed[0, 0] = True
+    found = Formula(case, layout, 100 / 3.6).distance(trains(layout, normals, failed))[0][0]
+    resistance = mean_resistance(100 / 3.6, constant=3000.0, linear=110.0, quadratic=7.0)
+    stop = stopping_distance(
+        100 / 3.6, [16073.5] * 3 + [9104.2] * 4, [2.1] * 3 + [1.3] * 4, dynamic_mass=126.8e3,
+        external_force=resistance,
+    )  # fmt: skip
+    assert found == pytest.approx(stop.distance, rel=1e-5)
+
+
+def test_formula_and_plant_brake_alike(case: SafetyCase) -> None:
+    """Run by run, scattered and with failed brakes: 0.3 % of the deceleration distance."""
+    layout = layout_of(case)
+    normals = np.random.default_rng(1).standard_normal((48, layout.n_variables))
+    failed = np.zeros((48, 8), dtype=bool)
+    failed[::3, 0] = failed[::4, 5] = True
+    quotients = []
+    for stop in (Formula(case, layout, 100 / 3.6), Plant(case, layout, 100 / 3.6)):
+        distance, response = stop.nominal()
+        braking = distance - stop.speed * response
+        quotients.append(dry_factor(stop, layout, braking, response)(normals, failed))
+    assert quotients[0] == pytest.approx(quotients[1], rel=3e-3)
+
+
+def test_factors_fall_with_the_level_and_make_the_nominal_stop(case: SafetyCase) -> None:
+    found = safety_factors(case.model_copy(update={"wet": None, "runs": 2000}))
+    for step in found.steps:
+        values = [one.value for one in step.dry.quantile]
+        assert values == sorted(values, reverse=True)
+        assert values[0] == pytest.approx(1.0, abs=0.01)
+    first, second, third = found.steps
+    braking = sum(
+        (b**2 - a**2) / (2 * step.emergency_deceleration)
+        for a, b, step in zip((0, first.speed, second.speed), case.speed_steps, found.steps,
+                              strict=True)
+    )  # fmt: skip
+    assert third.speed * third.build_up_time + braking == pytest.approx(third.distance, rel=1e-9)
+    assert all(a > b for a, b in zip(safe_distance(found, 9), safe_distance(found, 1), strict=True))
+    assert safe_deceleration(found, 9)[0] == pytest.approx(
+        first.dry.quantile[9].value * first.emergency_deceleration
+    )
+    assert len(as_table(found)) == 30
+    text = page(found)
+    assert "not an approval" in text
+    assert "published practice" in text
+    assert not re.search(r"(src|href)=\"(?!data:)", text)
+    assert "<script" not in text
+
+
+WRONG = {
+    'distribution = "normal"\nmean = "0 bar"': (
+        'distribution = "nromal"\nmean = "0 bar"', "did you mean 'normal'?"),
+    'deviation = "0.05 bar"': ('deviation = "-0.05 bar"', "deviation: must be above 0"),
+    'mean = "0 bar"': ('mean = "0 furlong"', "has a unit that is not known"),
+    'deviation = 0.025': ('deviation = "0.025 s"', "variables[2].deviation"),
+    '"100 km/h", "140 km/h"': ('"40 km/h", "140 km/h"', "must be above 0 and rise"),
+    'latent = 1e-3': ('latent = 1.5', "failures[0].latent"),
+    'on_demand = 1e-4': ('on_demand = -0.1', "failures[0].on_demand"),
+    'train = "emu_en14531"': ('train = "emu_en14351"', "did you mean 'emu_en14531'?"),
+    'quantity = "mass"': ('quantity = "mas"', "did you mean 'mass'?"),
+    'low = 0.3': ('low = 9', "cuts off nearly everything"),
+    'runs = 20000': ('runs = 3', "runs"),
+    'source = "published practice: N(1, 0.025) for each unit"': ('', "source: is missing"),
+    '[wet]': ('colour = "red"\n[wet]', "colour"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("right", WRONG)
+def test_a_bad_file_is_told_what_is_wrong(right: str, tmp_path: Path) -> None:
+    wrong, sentence = WRONG[right]
+    text = SHIPPED.read_text(encoding="utf-8")
+    assert right in text
+    file = tmp_path / "case.toml"
+    file.write_text(text.replace(right, wrong, 1), encoding="utf-8")
+    with pytest.raises(RailgripError) as error:
+        read_safety_case(file)
+    assert sentence in str(error.value)
+
+
+def test_the_formula_refuses_motors() -> None:
+    text = SHIPPED.read_text(encoding="utf-8").replace('"emu_en14531"', '"emu_four_car"')
+    import tomllib
+
+    case = SafetyCase.model_validate(tomllib.loads(text))
+    with pytest.raises(RailgripError, match="friction brakes only"):
+        Formula(case, layout_of(case), 30.0)
