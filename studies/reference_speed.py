@@ -1,11 +1,12 @@
 """Rules for the reference speed: their error against the true speed, their cost in distance.
 
 The conventional protection, in its macro and its micro band, on the rails of `locked_wheels.py`,
-with three rules and with the known ground speed:
+with four rules and with the known ground speed:
 
 - greatest: the greatest axle speed, slewed down by at most 1.5 m/s²; no axle is let run free;
 - present: dead reckoning with cylinder pressures and wheel accelerations (what is shipped);
-- forces: dead reckoning with the force observed on each axle (`force_reckoning`).
+- forces: dead reckoning with the force observed on each axle (`force_reckoning`);
+- forces unlearned: the same, but the ratio of observed force to deceleration stays 1.
 
 One axle of the train carries no brake. Its speed is the ground speed; the rules are not told it.
 
@@ -29,6 +30,7 @@ from railgrip.control.axle_forces import applied_force
 from railgrip.control.axle_protection import protect_axle
 from railgrip.control.contract import REFERENCE_SPEED, FloatArray
 from railgrip.control.conventional_parameters import (
+    DECELERATION_PER_PRESSURE,
     SLIP_LOWER,
     SLIP_SPEED_LOWER_FLOOR,
     SLIP_SPEED_UPPER_FLOOR,
@@ -37,6 +39,7 @@ from railgrip.control.conventional_parameters import (
 )
 from railgrip.control.conventional_state import (
     DECELERATION,
+    PRESSURE_GAIN,
     REFERENCE,
     SPEED,
     axle_base,
@@ -69,7 +72,7 @@ FIELDS: Final = 8
 SLEW: Final = 1.5  # m/s²
 GROUND_AXLE: Final = 9  # of the sixteen, from 0: a trailing axle in the third car
 JUDGED_ABOVE: Final = 5.0  # m/s
-RULES: Final = ("greatest", "present", "forces", "ground")
+RULES: Final = ("greatest", "present", "forces", "forces unlearned", "ground")
 
 
 def _protect(
@@ -129,6 +132,19 @@ def forces_kernel(
     _protect(parameters, axle_setup, state, measured, command, dt)
 
 
+def unlearned_kernel(
+    parameters: FloatArray,
+    axle_setup: FloatArray,
+    state: FloatArray,
+    measured: FloatArray,
+    command: FloatArray,
+    dt: float,
+) -> None:
+    """Protect as `forces_kernel` does, with a gain that is never learned."""
+    state[PRESSURE_GAIN] = parameters[DECELERATION_PER_PRESSURE]
+    forces_kernel(parameters, axle_setup, state, measured, command, dt)
+
+
 class GreatestAxle(KernelController):
     """The conventional protection under the plain rule."""
 
@@ -145,14 +161,21 @@ class Forces(KernelController):
     state_size = staticmethod(forces_state_size)
 
 
+class Unlearned(Forces):
+    """As `Forces`, without learning."""
+
+    kernel = staticmethod(unlearned_kernel)
+
+
 def controller(rule: str, band: str) -> Any:
     """Return a protection with a rule and a band."""
     lower, upper = BANDS[band]
     limits = {"slip_lower": lower, "slip_upper": upper}
     if rule == "greatest":
         return GreatestAxle(ConventionalParameters()._replace(**limits), 0.01)
-    if rule == "forces":
-        return Forces(TemperatureParameters()._replace(**limits), 0.01)
+    if rule.startswith("forces"):
+        kind = Forces if rule == "forces" else Unlearned
+        return kind(TemperatureParameters()._replace(**limits), 0.01)
     return ConventionalWSP(band=band)
 
 

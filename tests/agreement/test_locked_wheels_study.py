@@ -26,7 +26,7 @@ def study() -> Any:
 
 
 def test_with_slow_valves_no_wheel_locks(study: Any) -> None:
-    """Distances of constant rail within 2 %: another processor rounds otherwise, chaos does more."""
+    """Distances within 2 %: another processor rounds otherwise, and the closed loop is chaotic."""
     for controller in study.CONTROLLERS:
         for rail in ("0.02", "0.05", "steps 0.03-0.15"):
             found = study.cell(rail, 100, "slow", controller, 1)
