@@ -44,7 +44,8 @@ LAST_STEP: Final = 17  # by how much the reading changed in the last period, m/s
 ROUGHNESS: Final = 18  # mean change of that change, m/s: what noise makes and no wheel does
 LEAD_CLOCK: Final = 19  # how long the wheel has led wheels that show the train, s
 VOTE_CLOCK: Final = 20  # how long an unbraked wheel has mostly not turned faster, s
-N_AXLE: Final = 21
+CORRECTIONS: Final = 21  # how often other wheels have corrected the diameter in this braking
+N_AXLE: Final = 22
 
 
 def axle_base(axle: int) -> int:
@@ -53,7 +54,7 @@ def axle_base(axle: int) -> int:
     Examples
     --------
     >>> axle_base(0), axle_base(2)
-    (12, 54)
+    (12, 56)
     """
     return N_TRAIN + axle * N_AXLE
 
@@ -64,6 +65,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(16)
-    348
+    364
     """
     return N_TRAIN + n_axles * N_AXLE

@@ -20,16 +20,20 @@ from railgrip.control.contract import (
     DYNAMIC_SHARE,
     FILL,
     FRICTION_SHARE,
+    HOLD,
     MOTORED,
     VEHICLE,
     VENT,
     FloatArray,
 )
-from railgrip.control.conventional_state import FREED_AXLE, IS_FAULTY, axle_base
+from railgrip.control.conventional_state import FREED_AXLE, IS_FAULTY, SLIDES, axle_base
+from railgrip.control.lone_leader import runs_free
 
+CAUTION: Final = 0.75
+"""A follower behind a sliding neighbour takes no more than this share of its pressure: it does not
+see its own slide, and a wheel that has once locked needs far less brake to turn again."""
 MORE_PRESSURE: Final = 2.0e4
-"""A follower with so much more pressure than its neighbour, Pa, vents; with so much less it waits
-for the neighbour to fill."""
+"""With so much more pressure than it may have, Pa, a follower vents."""
 
 
 def follow_neighbours(
@@ -69,7 +73,11 @@ def follow_neighbours(
             if like < 0:
                 like = most_released(axle_setup, state, measured, command, axle, VEHICLE)
             if like >= 0:
-                _follow(axle_setup, measured, command, axle, like)
+                is_sliding = state[axle_base(like) + SLIDES] > 0.0
+                _follow(axle_setup, measured, command, axle, like, is_sliding)
+            if runs_free(state, axle_base(axle)) and axle_setup[axle, BRAKED] > 0.0:
+                command[axle, DUMP_VALVE] = VENT
+                command[axle, DYNAMIC_SHARE] = 0.0
 
 
 def most_released(
@@ -106,12 +114,20 @@ def _is_freer(measured: FloatArray, command: FloatArray, one: int, than: int) ->
 
 
 def _follow(
-    axle_setup: FloatArray, measured: FloatArray, command: FloatArray, axle: int, like: int
+    axle_setup: FloatArray,
+    measured: FloatArray,
+    command: FloatArray,
+    axle: int,
+    like: int,
+    is_sliding: bool,
 ) -> None:
     valve = command[like, DUMP_VALVE]
-    more = measured[axle, CYLINDER_PRESSURE] - measured[like, CYLINDER_PRESSURE]
+    share = CAUTION if is_sliding else 1.0
+    more = measured[axle, CYLINDER_PRESSURE] - share * measured[like, CYLINDER_PRESSURE]
     if more > MORE_PRESSURE:
         valve = VENT
+    elif is_sliding and more > 0.0:
+        valve = max(valve, HOLD)
     command[axle, DUMP_VALVE] = valve if axle_setup[axle, BRAKED] > 0.0 else FILL
     command[axle, FRICTION_SHARE] = command[like, FRICTION_SHARE]
     if axle_setup[axle, MOTORED] > 0.0:

@@ -16,6 +16,7 @@ from typing import Final
 
 from railgrip.control.contract import BRAKE_DEMAND, FloatArray
 from railgrip.control.conventional_state import (
+    CORRECTIONS,
     DIAMETER,
     IS_FAULTY,
     LEAD_CLOCK,
@@ -32,6 +33,10 @@ VOTES_AFTER: Final = 0.25
 """An unbraked wheel that has mostly not gained for so long, s, may vote."""
 VOTES_AT_MOST: Final = 0.5
 """Its clock goes no further, s, so that a wheel that gains after all soon loses its vote."""
+MOST_CORRECTIONS: Final = 2
+"""A wheel that leads again after so many is no worn one: its sensor drifts, or hides its slide."""
+DROPPED_VENT: Final = 2.0
+"""Whoever drops a leader does not know how deep it slides, and lets it turn free for so long, s."""
 OUTVOTED_AFTER: Final = 0.3
 """A wheel that has led so long, s, is corrected, or not believed until the brake is released."""
 GREATEST_CORRECTION: Final = 0.1
@@ -86,14 +91,16 @@ def outvote_leader(state: FloatArray, measured: FloatArray, leader: int, dt: flo
     if leads and measured[leader, BRAKE_DEMAND] > 0.0:
         state[own + LEAD_CLOCK] += dt
         if state[own + LEAD_CLOCK] > OUTVOTED_AFTER:
-            _correct_or_drop(state, own, best / state[own + SPEED])
+            # it may slide a little itself, so a little more than it shows
+            _correct_or_drop(state, own, (1.0 - AGREE_SHARE) * best / state[own + SPEED])
             return best
     return -1.0
 
 
 def _correct_or_drop(state: FloatArray, own: int, ratio: float) -> None:
     factor = state[own + DIAMETER] * ratio
-    if factor < 1.0 - GREATEST_CORRECTION:
+    state[own + CORRECTIONS] += 1.0
+    if factor < 1.0 - GREATEST_CORRECTION or state[own + CORRECTIONS] > MOST_CORRECTIONS:
         state[own + IS_FAULTY] = 1.0
         return
     state[own + DIAMETER] = factor
@@ -102,8 +109,17 @@ def _correct_or_drop(state: FloatArray, own: int, ratio: float) -> None:
     state[own + LEAD_CLOCK] = 0.0
 
 
-def is_outvoted(state: FloatArray, base: int, measured: FloatArray, axle: int) -> bool:
-    """Return whether an axle has been outvoted in this application of the brake."""
+def is_outvoted(state: FloatArray, base: int, measured: FloatArray, axle: int, dt: float) -> bool:
+    """Return whether an axle has been dropped in this application of the brake; run its clock."""
     if measured[axle, BRAKE_DEMAND] <= 0.0:
         state[base + LEAD_CLOCK] = 0.0
-    return bool(state[base + LEAD_CLOCK] > OUTVOTED_AFTER)
+        state[base + CORRECTIONS] = 0.0
+    is_dropped = bool(state[base + LEAD_CLOCK] > OUTVOTED_AFTER)
+    if is_dropped:
+        state[base + LEAD_CLOCK] += dt
+    return is_dropped
+
+
+def runs_free(state: FloatArray, base: int) -> bool:
+    """Return whether an axle has just been dropped."""
+    return bool(OUTVOTED_AFTER < state[base + LEAD_CLOCK] < OUTVOTED_AFTER + DROPPED_VENT)

@@ -78,7 +78,7 @@ def read_wheel(
         return
     speed = abs(reading) * state[base + DIAMETER]
     is_spoilt = _trembles(state, base, abs(reading), dt)
-    if is_spoilt or is_outvoted(state, base, measured, axle):
+    if is_spoilt or is_outvoted(state, base, measured, axle, dt):
         state[base + IS_FAULTY] = 1.0
         state[base + DEAD_CLOCK] = parameters[DEAD_TIME]
     if state[REFERENCE] > parameters[DEAD_REFERENCE]:
