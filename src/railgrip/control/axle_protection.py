@@ -20,6 +20,7 @@ from railgrip.control.conventional_parameters import DYNAMIC_LEAST_FORCE, INHIBI
 from railgrip.control.conventional_state import (
     ACCELERATION,
     DECELERATION,
+    DIAMETER,
     FREED_AXLE,
     IS_FAULTY,
     REFERENCE,
@@ -36,6 +37,18 @@ from railgrip.control.stepped_filling import step_filling
 
 ALARM_SENSOR = 1.0
 ALARM_SAFETY_TIMER = 2.0
+ALARM_DIAMETER = 3.0
+NOTED_CORRECTION = 0.015
+"""A wheel whose believed diameter was wrong by more than this share is reported."""
+
+
+def axle_alarm(state: FloatArray, base: int) -> float:
+    """Return what is wrong with an axle: 1 sensor, 2 safety timer, 3 wheel diameter; 0 nothing."""
+    if state[base + IS_FAULTY] > 0.0:
+        return ALARM_SENSOR
+    if state[base + SAFETY_FILL] > 0.0:
+        return ALARM_SAFETY_TIMER
+    return ALARM_DIAMETER if abs(state[base + DIAMETER] - 1.0) > NOTED_CORRECTION else 0.0
 
 
 def protect_axle(
@@ -90,7 +103,4 @@ def protect_axle(
     command[axle, DUMP_VALVE] = valve if axle_setup[axle, BRAKED] > 0.0 else FILL
     command[axle, SANDING] = request_sand(parameters, state, base, dt)
     command[axle, IS_SLIDING] = state[base + SLIDES]
-    if state[base + IS_FAULTY] > 0.0:
-        command[axle, ALARM] = ALARM_SENSOR
-    else:
-        command[axle, ALARM] = ALARM_SAFETY_TIMER if state[base + SAFETY_FILL] > 0.0 else 0.0
+    command[axle, ALARM] = axle_alarm(state, base)

@@ -61,7 +61,9 @@ BRAKING_EFFORT: Final = 9
 BRAKING_POWER: Final = 10
 TRACTIVE_EFFORT: Final = 11
 TRACTIVE_POWER: Final = 12
-N_SETUP: Final = 13
+BOGIE: Final = 13
+VEHICLE: Final = 14
+N_SETUP: Final = 15
 
 # Columns of command[axle, column]; the content of the last call is still there in the next.
 DUMP_VALVE: Final = 0
@@ -121,6 +123,9 @@ class Setup(NamedTuple):
         Load of the axle as the vehicle weighs it, [N].
     axles : AxleData, optional
         More of its axles, where the vehicle knows it.
+    bogie, vehicle : ndarray (axle), optional
+        Number of the axle's bogie and vehicle, each counted from the front of the train; absent:
+        two axles a bogie, two bogies a vehicle.
     """
 
     n_axles: int
@@ -130,6 +135,8 @@ class Setup(NamedTuple):
     braked: NDArray[np.bool_]
     axle_load: FloatArray | None = None
     axles: AxleData | None = None
+    bogie: FloatArray | None = None
+    vehicle: FloatArray | None = None
 
 
 class Measured(NamedTuple):
@@ -244,9 +251,12 @@ def setup_array(setup: Setup) -> FloatArray:
     array[:, MOTORED] = setup.motored
     array[:, BRAKED] = setup.braked
     array[:, AXLE_LOAD] = 1.0 if setup.axle_load is None else setup.axle_load
-    array[:, ROTATING_MASS:] = 0.0
+    array[:, ROTATING_MASS:BOGIE] = 0.0
     if setup.axles is not None:
-        array[:, ROTATING_MASS:] = np.stack(setup.axles, axis=1)
+        array[:, ROTATING_MASS:BOGIE] = np.stack(setup.axles, axis=1)
+    row = np.arange(setup.n_axles)
+    array[:, BOGIE] = row // 2 if setup.bogie is None else setup.bogie
+    array[:, VEHICLE] = row // 4 if setup.vehicle is None else setup.vehicle
     return array
 
 

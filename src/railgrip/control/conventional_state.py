@@ -40,7 +40,12 @@ SAND_CLOCK: Final = 13  # > 0: sand is asked for so much longer; < 0: time slid 
 WITNESS_CLOCK: Final = 14  # time the wheel has turned at the reference speed, s
 LAST_READING: Final = 15  # what the sensor read last, m/s
 FROZEN_CLOCK: Final = 16  # how long a braked wheel has read the very same, s
-N_AXLE: Final = 17
+LAST_STEP: Final = 17  # by how much the reading changed in the last period, m/s
+ROUGHNESS: Final = 18  # mean change of that change, m/s: what noise makes and no wheel does
+LEAD_CLOCK: Final = 19  # how long the wheel has led wheels that show the train, s
+VOTE_CLOCK: Final = 20  # how long an unbraked wheel has mostly not turned faster, s
+CORRECTIONS: Final = 21  # how often other wheels have corrected the diameter in this braking
+N_AXLE: Final = 22
 
 
 def axle_base(axle: int) -> int:
@@ -49,7 +54,7 @@ def axle_base(axle: int) -> int:
     Examples
     --------
     >>> axle_base(0), axle_base(2)
-    (12, 46)
+    (12, 56)
     """
     return N_TRAIN + axle * N_AXLE
 
@@ -60,6 +65,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(16)
-    284
+    364
     """
     return N_TRAIN + n_axles * N_AXLE

@@ -26,6 +26,7 @@ from railgrip.control.conventional_state import (
     ADHERED_CLOCK,
     DIAMETER,
     FASTEST_LAG,
+    LAST_READING,
     PRESSURE_GAIN,
     REFERENCE,
     SEEN_SPEED,
@@ -36,6 +37,7 @@ from railgrip.control.conventional_state import (
     state_size,
 )
 from railgrip.control.diameter_compensation import learn_diameters
+from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
 from railgrip.control.train_observer import observe_train
@@ -63,6 +65,7 @@ def conventional_initial(
         state[base + WITNESS_CLOCK] = LONG_AGO
         state[base + SPEED] = speed
         state[base + SPEED_LAG] = speed
+        state[base + LAST_READING] = speed
     state[REFERENCE] = fastest
     state[FASTEST_LAG] = fastest
     state[SEEN_SPEED] = fastest
@@ -86,6 +89,7 @@ def conventional_kernel(
     for axle in range(measured.shape[0]):
         protect_axle(parameters, axle_setup, state, measured, command, axle, lower, upper, dt)
         command[axle, REFERENCE_SPEED] = reference
+    follow_neighbours(axle_setup, state, measured, command)
 
 
 class ConventionalWSP(KernelController):

@@ -25,6 +25,7 @@ from railgrip.control.conventional_parameters import (
 )
 from railgrip.control.conventional_state import REFERENCE, state_size
 from railgrip.control.diameter_compensation import learn_diameters
+from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.slip_band import threshold
 from railgrip.control.train_observer import observe_train
 from railgrip.core.errors import Problem, RailgripError
@@ -63,7 +64,7 @@ def range_place(axle: int, n_axles: int) -> int:
     Examples
     --------
     >>> range_place(0, 16), range_place(3, 16)
-    (284, 287)
+    (364, 367)
     """
     return state_size(n_axles) + axle
 
@@ -74,7 +75,7 @@ def ranged_state_size(n_axles: int) -> int:
     Examples
     --------
     >>> ranged_state_size(16)
-    300
+    380
     """
     return state_size(n_axles) + n_axles
 
@@ -131,6 +132,7 @@ def protect_in_ranges(
         protect_axle(parameters, axle_setup, state, measured, command, axle, lower, upper, dt)
         command[axle, REFERENCE_SPEED] = reference
         command[axle, SLIP_RANGE] = slip_range
+    follow_neighbours(axle_setup, state, measured, command)
 
 
 def check_bands(parameters: ConventionalParameters, lower: RangeBands) -> None:

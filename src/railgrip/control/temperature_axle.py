@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from railgrip.control.axle_forces import motor_force, pressure_for, pressures
-from railgrip.control.axle_protection import ALARM_SAFETY_TIMER, ALARM_SENSOR
+from railgrip.control.axle_protection import axle_alarm
 from railgrip.control.contract import (
     ALARM,
     BRAKE_DEMAND,
@@ -34,7 +34,6 @@ from railgrip.control.conventional_state import (
     FREED_AXLE,
     IS_FAULTY,
     REFERENCE,
-    SAFETY_FILL,
     SLIDES,
     SPEED,
     axle_base,
@@ -138,7 +137,7 @@ def drive_axle(
     note_slide(state, base, VENT if limited else FILL, spin_speed, lower, dt)
     command[axle, SANDING] = request_sand(parameters, state, base, dt)
     command[axle, IS_SLIDING] = state[base + SLIDES]
-    command[axle, ALARM] = ALARM_SENSOR if state[base + IS_FAULTY] > 0.0 else 0.0
+    command[axle, ALARM] = axle_alarm(state, base)
 
 
 def brake_axle(
@@ -174,10 +173,7 @@ def brake_axle(
     _apply(parameters, axle_setup, state, measured, command, axle, asked, force, dt)
     command[axle, SANDING] = request_sand(parameters, state, base, dt)
     command[axle, IS_SLIDING] = state[base + SLIDES]
-    if state[base + IS_FAULTY] > 0.0:
-        command[axle, ALARM] = ALARM_SENSOR
-    else:
-        command[axle, ALARM] = ALARM_SAFETY_TIMER if state[base + SAFETY_FILL] > 0.0 else 0.0
+    command[axle, ALARM] = axle_alarm(state, base)
 
 
 def _apply(

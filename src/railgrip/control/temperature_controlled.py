@@ -25,6 +25,7 @@ from railgrip.control.conventional_state import DECELERATION, REFERENCE, SPEED, 
 from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.driving_reference import follow_trailing_wheels, is_driving
+from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.force_reckoning import reckon_with_forces
 from railgrip.control.plain_form import KernelController
 from railgrip.control.temperature_axle import brake_axle, drive_axle
@@ -125,6 +126,8 @@ def temperature_kernel(
         else:
             brake_axle(parameters, axle_setup, state, measured, command, axle, dt)
         command[axle, REFERENCE_SPEED] = state[REFERENCE]
+    if not driving:
+        follow_neighbours(axle_setup, state, measured, command)
     state[train + SAMPLE] += 1.0
     state[train + CLOCK] += dt
 

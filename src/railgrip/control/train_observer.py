@@ -23,11 +23,13 @@ from railgrip.control.conventional_state import (
     SETTLED_CLOCK,
     SLIDES,
     SPEED,
+    VOTE_CLOCK,
     WITNESS_CLOCK,
     axle_base,
 )
 from railgrip.control.deceleration_estimate import estimate_deceleration, learn_pressure_gain
 from railgrip.control.free_axle import free_an_axle
+from railgrip.control.lone_leader import VOTES_AFTER, count_for_vote, outvote_leader
 from railgrip.control.reference_speed import advance_reference
 from railgrip.control.wheel_speed import read_wheel
 
@@ -114,6 +116,8 @@ def look_at_wheels(
     n_valid = 0
     n_witnesses = 0
     n_sliding = 0
+    n_voters = 0
+    leader = -1
     for axle in range(n_axles):
         base = axle_base(axle)
         read_wheel(parameters, state, base, measured, axle, dt)
@@ -126,16 +130,22 @@ def look_at_wheels(
             effort += braking_pressure(parameters, measured, axle)
         if settle(parameters, state, base, measured, axle, dt):
             seen = max(seen, speed)
+        if state[base + VOTE_CLOCK] > VOTES_AFTER:
+            n_voters += 1
         if state[base + SLIDES] > 0.0:
             n_sliding += 1
         if is_near(state, base, near, dt):
             n_witnesses += 1
         if speed > fastest:
             fastest = speed
+            leader = axle
             if axle_setup[axle, BRAKED] > 0.0 or axle_setup[axle, MOTORED] > 0.0:
                 candidate = axle
     if seen < max(FREE_SHARE * fastest, LOCKED_SHARE * state[REFERENCE]):
         seen = -1.0
+    if n_voters >= ENOUGH_WITNESSES and leader >= 0:
+        voted = outvote_leader(state, measured, leader, dt)
+        seen = voted if voted >= 0.0 else seen
     if n_valid > 0:
         effort /= n_valid
         acceleration /= n_valid
@@ -169,9 +179,8 @@ def settle(
         measured[axle, CYLINDER_PRESSURE] < parameters[EMPTY_PRESSURE]
         and measured[axle, DYNAMIC_FORCE] < parameters[DYNAMIC_LEAST_FORCE]
     )
-    if is_unbraked and state[base + ACCELERATION] < GAINING_ACCELERATION:
-        clock: float = state[base + SETTLED_CLOCK] + dt
-    else:
-        clock = 0.0
+    settles = is_unbraked and state[base + ACCELERATION] < GAINING_ACCELERATION
+    count_for_vote(state, base, is_unbraked, settles, dt)
+    clock: float = state[base + SETTLED_CLOCK] + dt if settles else 0.0
     state[base + SETTLED_CLOCK] = clock
     return clock > SETTLED_AFTER

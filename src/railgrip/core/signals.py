@@ -131,6 +131,14 @@ _CATALOGUE = (
     Signal("is_sliding", "", "1", _AXLE, "1 while the controller counts the axle as sliding."),
     Signal("alarm", "", "1", _AXLE, "1 while wheel rotation monitoring reports the axle."),
     Signal(
+        "wsp_alarm",
+        "",
+        "1",
+        _AXLE,
+        "What the protection reports of the axle: 1 sensor not believed, 2 safety timer, 3 wheel "
+        "diameter not as believed.",
+    ),
+    Signal(
         "slip_range",
         "",
         "1",

@@ -145,6 +145,8 @@ def plain_step(controller: Any, state: Any, measured: FloatArray, dt: float) -> 
         columns[:, ctl.REFERENCE_SPEED] = command.reference_speed
         if command.is_sliding is not None:
             columns[:, ctl.IS_SLIDING] = command.is_sliding
+        if command.alarm is not None:
+            columns[:, ctl.ALARM] = command.alarm
         if command.slip_range is not None:
             columns[:, ctl.SLIP_RANGE] = command.slip_range
         columns[:, ctl.WSP_STATE] = command.wsp_state

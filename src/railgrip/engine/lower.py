@@ -145,6 +145,10 @@ def _formation(scenario: Scenario, table: FloatArray, brakes: FloatArray) -> For
         setup[i, ctl.CONTINUOUS] = is_continuous
         setup[i, ctl.BRAKED] = is_continuous or (brake is not None and train.dump_valve is not None)
         _put_forces(setup[i], table[1 + i], brake is not None)
+    places = [(place.vehicle, place.bogie) for place in axles]
+    bogies = sorted(set(places))
+    setup[:, ctl.BOGIE] = [bogies.index(place) for place in places]
+    setup[:, ctl.VEHICLE] = [place.vehicle for place in axles]
     setup[:, ctl.AXLE_LOAD] = static_loads(scenario)
     in_emergency = train.dynamic_brake.in_emergency if train.dynamic_brake else True
     return Formation(
@@ -349,5 +353,7 @@ def controller_setup(scenario: Scenario, period: float) -> ctl.Setup:
         motored=table[:, ctl.MOTORED] > 0,
         braked=table[:, ctl.BRAKED] > 0,
         axle_load=table[:, ctl.AXLE_LOAD],
-        axles=ctl.AxleData(*table[:, ctl.ROTATING_MASS :].T),
+        axles=ctl.AxleData(*table[:, ctl.ROTATING_MASS : ctl.BOGIE].T),
+        bogie=table[:, ctl.BOGIE],
+        vehicle=table[:, ctl.VEHICLE],
     )

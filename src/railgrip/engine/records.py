@@ -38,7 +38,7 @@ AXLE_TRACES = (
     "friction_ratio", "friction_decay", "adhesion_reduction", "slip_reduction", "cleaning",
     "brake_cylinder_pressure", "supply_pressure", "dump_valve", "clamp_force", "pad_friction",
     "brake_force", "dynamic_force", "disc_temperature", "hub_temperature", "is_sliding", "alarm",
-    "flash_temperature", "slip_range",
+    "flash_temperature", "slip_range", "wsp_alarm",
 )  # fmt: skip
 """Columns of Outcome.trace_axle."""
 
@@ -109,6 +109,7 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
     row[20] = S[b + at.ALARM * L]
     row[21] = S[b + at.FLASH_RISE * L]
     row[22] = command[ctl.SLIP_RANGE]
+    row[23] = command[ctl.ALARM]
 
 
 @compiled

@@ -21,7 +21,7 @@ def test_columns_are_a_complete_numbering():
     setup = {
         ctl.BELIEVED_RADIUS, ctl.MOTORED, ctl.BRAKED, ctl.AXLE_LOAD, ctl.ROTATING_MASS,
         ctl.FULL_FORCE, ctl.FULL_PRESSURE, ctl.FIRST_PRESSURE, ctl.CONTINUOUS, ctl.BRAKING_EFFORT,
-        ctl.BRAKING_POWER, ctl.TRACTIVE_EFFORT, ctl.TRACTIVE_POWER,
+        ctl.BRAKING_POWER, ctl.TRACTIVE_EFFORT, ctl.TRACTIVE_POWER, ctl.BOGIE, ctl.VEHICLE,
     }  # fmt: skip
     assert setup == set(range(ctl.N_SETUP))
 
@@ -31,11 +31,14 @@ def test_setup_and_measured_reach_their_columns():
         2, 0.01, np.array([0.46, 0.45]), np.array([True, False]), np.array([False, True])
     )
     columns = ctl.setup_array(setup)
-    known = ctl.ROTATING_MASS
+    known, places = ctl.ROTATING_MASS, ctl.BOGIE
     assert columns[:, :known].tolist() == [[0.46, 1.0, 0.0, 1.0], [0.45, 0.0, 1.0, 1.0]]
-    assert not columns[:, known:].any()
+    assert not columns[:, known:places].any()
     axles = ctl.AxleData(*(np.full(2, 10.0 + i) for i in range(len(ctl.AxleData._fields))))
-    assert ctl.setup_array(setup._replace(axles=axles))[1, known:].tolist() == list(range(10, 19))
+    told = ctl.setup_array(setup._replace(axles=axles))
+    assert told[1, known:places].tolist() == list(range(10, 19))
+    coaches = setup._replace(bogie=np.array([0, 1]), vehicle=np.array([3, 4]))
+    assert ctl.setup_array(coaches)[:, places:].tolist() == [[0.0, 3.0], [1.0, 4.0]]
     weighed = setup._replace(axle_load=np.array([1e5, 2e5]))
     assert ctl.setup_array(weighed)[:, ctl.AXLE_LOAD].tolist() == [1e5, 2e5]
     measured = ctl.Measured(

@@ -79,6 +79,7 @@ def test_direction_does_not_count():
 
 def test_a_braked_wheel_that_reads_the_very_same_is_frozen_and_an_unbraked_one_is_not():
     state, base = wheel()
+    state[base + st.LAST_READING] = 30.0
     read(state, base, 30.0, pressure=0.0, n=200)
     assert state[base + st.IS_FAULTY] == 0.0
     read(state, base, 30.0, pressure=2e5, n=49)
