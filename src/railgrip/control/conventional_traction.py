@@ -44,6 +44,8 @@ from railgrip.control.traction_parameters import (
 from railgrip.control.traction_state import IS_CUT, SHARE, SHARE_AT_SPIN, own_base, state_size
 from railgrip.core.errors import Problem, RailgripError
 
+SLOW = 0.8
+"""Below it a wheel passes too few teeth for its acceleration to be believed, m/s."""
 RETURNING = -0.3
 """A wheel that loses so much on the train, m/s², is on its way back: the cut ends, torque waits."""
 
@@ -70,6 +72,8 @@ def ease_torque(
     upper = threshold(parameters[SPIN_UPPER], parameters[SPIN_UPPER_FLOOR], reference)
     spin = state[base + SPEED] - reference
     relative = state[base + ACCELERATION] + state[DECELERATION]
+    if state[base + SPEED] < SLOW:
+        relative = 0.0
     foreseen = spin + parameters[LEAD_TIME] * relative
     is_spinning = foreseen > upper or (spin > lower and relative > parameters[SPIN_ACCELERATION])
     share: float = state[own + SHARE]

@@ -48,6 +48,11 @@ IMPLAUSIBLE: Final = 0.5  # m/s: a driven wheel so much slower than the train is
 SIGHT_INTERVAL: Final = 1.0  # s: two sights so far apart teach the offset
 SIGHT_WEIGHT: Final = 0.7  # how much of the error they show
 GREATEST_OFFSET: Final = 0.5  # m/s²
+SLOW: Final = 0.4  # m/s: slower wheels pass too few teeth to be compared with the forces
+RISE_MARGIN: Final = 0.15  # m/s²: adhering wheels may gain so much more than the forces say
+LESSON: Final = 1.0  # 1/s²: how fast the offset is learned from adhering wheels,
+GREATEST_LESSON: Final = 0.05  # m/s: and what error counts at most
+NEVER: Final = -1.0e9
 
 
 def know_train_speed(
@@ -111,8 +116,7 @@ def _reckon(state: FloatArray, measured: FloatArray, n_axles: int, dt: float) ->
     # one slow signal alone may be a faulty one
     bound = slowest if slowest > before - IMPLAUSIBLE or second > 1.0e8 else second
     if not is_any_spinning and bound < 1.0e8:
-        reference = bound
-        _meet(state, train, reference, dt)
+        reference = _follow(state, train, reference, bound, dt)
     else:
         reference = min(reference, bound)
         state[train + EXPECTED_GAIN] += acceleration * dt
@@ -125,12 +129,19 @@ def _reckon(state: FloatArray, measured: FloatArray, n_axles: int, dt: float) ->
     state[REFERENCE] = max(0.0, reference)
 
 
-def _meet(state: FloatArray, train: int, speed: float, dt: float) -> None:
-    """Take a speed that the wheels show as a sight that teaches nothing."""
-    state[train + SIGHT_SPEED] = speed
-    state[train + SIGHT_AGE] = 0.0
+def _follow(state: FloatArray, train: int, reckoned: float, slowest: float, dt: float) -> float:
+    """Return the speed of wheels that adhere; they rise no faster than the forces say."""
+    error = slowest - reckoned
+    if reckoned > SLOW:
+        step = max(-GREATEST_LESSON, min(GREATEST_LESSON, error))
+        offset = state[train + OFFSET] + LESSON * step * dt
+        state[train + OFFSET] = max(-GREATEST_OFFSET, min(GREATEST_OFFSET, offset))
+        error = min(error, RISE_MARGIN * dt)
+    # what adhering wheels show may already be the begin of a spin: it teaches nothing at a sight
+    state[train + SIGHT_AGE] = NEVER
     state[train + EXPECTED_GAIN] = 0.0
     state[train + DOUBT] = 0.0
+    return reckoned + error
 
 
 def _learn(state: FloatArray, train: int, seen: float) -> None:

@@ -15,6 +15,7 @@ from railgrip.control.driving_reference import is_driving
 from railgrip.control.peak_search import seek_peak, slip_aimed_at
 from railgrip.control.plain_form import KernelController
 from railgrip.control.traction_common import (
+    STANDING,
     acts_on,
     brake_conventionally,
     command_motor,
@@ -75,7 +76,7 @@ def hold_at_peak(
     is_held = state[own + SHARE] < 0.999 and slip > HELD_SHARE * state[own + TARGET]
     seek_peak(parameters, state, own, train, slip, is_held and not is_free, dt)
     demand = demanded_force(axle_setup, state, measured, axle)
-    if demand <= 0.0:
+    if demand <= 0.0 or state[axle_base(axle) + SPEED] < STANDING:
         return 1.0
     error = slip_aimed_at(parameters, state, own, train, axle) - slip
     wanted = parameters[SLIP_GAIN] * error - state[DECELERATION]
