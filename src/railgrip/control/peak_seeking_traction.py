@@ -21,6 +21,7 @@ from railgrip.control.traction_common import (
     command_motor,
     demanded_force,
     observe_while_driving,
+    sand_together,
     traction_initial,
 )
 from railgrip.control.traction_parameters import (
@@ -102,6 +103,7 @@ def peak_seeking_kernel(
         if acts_on(axle_setup, state, axle):
             share = hold_at_peak(parameters, axle_setup, state, measured, axle, dt)
         command_motor(parameters, state, measured, command, axle, share, dt)
+    sand_together(command, measured.shape[0])
 
 
 class PeakSeekingTraction(KernelController):
@@ -122,7 +124,7 @@ class PeakSeekingTraction(KernelController):
     Examples
     --------
     >>> PeakSeekingTraction().parameters.target_start
-    0.3
+    0.6
     """
 
     kernel = staticmethod(peak_seeking_kernel)

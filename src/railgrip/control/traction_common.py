@@ -188,3 +188,12 @@ def acts_on(axle_setup: FloatArray, state: FloatArray, axle: int) -> bool:
     """Return whether an axle has a motor and its speed is believed."""
     is_sound = state[axle_base(axle) + IS_FAULTY] == 0.0
     return bool(axle_setup[axle, MOTORED] > 0.0 and is_sound)
+
+
+def sand_together(command: FloatArray, n_axles: int) -> None:
+    """Let every sander work while one driven axle wants sand: wheels without a motor never spin."""
+    is_wanted = 0.0
+    for axle in range(n_axles):
+        is_wanted = max(is_wanted, command[axle, SANDING])
+    for axle in range(n_axles):
+        command[axle, SANDING] = is_wanted

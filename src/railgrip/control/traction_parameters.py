@@ -101,9 +101,9 @@ class PeakSearch(NamedTuple):
     0.3
     """
 
-    target_start: float = 0.3
+    target_start: float = 0.6
     target_least: float = 0.15
-    target_least_share: float = 0.005
+    target_least_share: float = 0.015
     target_greatest: float = 1.0
     target_greatest_share: float = 0.2
     slip_gain: float = 4.0
@@ -111,9 +111,9 @@ class PeakSearch(NamedTuple):
     dither_time: float = 1.6
     mean_time: float = 1.5
     observer_lag: float = 0.06
-    force_error: float = 0.08
+    force_error: float = 0.04
     slope_drift: float = 0.1
-    search_rate: float = 0.5
+    search_rate: float = 1.0
     search_slope: float = 0.1
     search_margin: float = 0.02
 
