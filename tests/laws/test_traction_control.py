@@ -78,7 +78,7 @@ def test_energy_closes_under_control(study: Any, controller: str) -> None:
 
 @pytest.mark.parametrize("controller", CONTROLLERS)
 def test_sand_helps_a_start(study: Any, controller: str) -> None:
-    """Of the shipped unit one axle without a motor carries the sander; it lets sand go above 16 km/h."""
+    """The shipped unit sands from 16 km/h on, in front of an axle that has no motor."""
     begin = {"run.speed": "30 km/h", "run.demand": "none"}
     dry = run(study, "unit, leaves, 5 ‰", controller, **begin)
     shipped = rg.load("start_leaves").train

@@ -80,7 +80,7 @@ def ease_torque(
     share: float = state[own + SHARE]
     if state[own + IS_CUT] == 0.0:
         if not is_spinning:
-            return min(1.0, share + dt / parameters[RAMP_TIME])
+            return float(min(1.0, share + dt / parameters[RAMP_TIME]))
         # while torque still builds up, what acts is less than what is permitted
         demand = demanded_force(axle_setup, state, measured, axle)
         if demand > 0.0:
@@ -89,10 +89,10 @@ def ease_torque(
         state[own + SHARE_AT_SPIN] = share
     if spin < lower and relative < parameters[SPIN_ACCELERATION]:
         state[own + IS_CUT] = 0.0
-        return min(1.0, max(share, parameters[STEP_TO] * state[own + SHARE_AT_SPIN]))
+        return float(min(1.0, max(share, parameters[STEP_TO] * state[own + SHARE_AT_SPIN])))
     if relative < RETURNING:
         return share
-    return max(0.0, share - dt / parameters[CUT_TIME] * state[own + SHARE_AT_SPIN])
+    return float(max(0.0, share - dt / parameters[CUT_TIME] * state[own + SHARE_AT_SPIN]))
 
 
 def conventional_traction_kernel(

@@ -82,7 +82,7 @@ def hold_at_peak(
     error = slip_aimed_at(parameters, state, own, train, axle) - slip
     wanted = parameters[SLIP_GAIN] * error - state[DECELERATION]
     force = state[own + FORCE] + state[own + MASS] * wanted
-    return max(0.0, min(1.0, force / demand))
+    return float(max(0.0, min(1.0, force / demand)))
 
 
 def peak_seeking_kernel(
