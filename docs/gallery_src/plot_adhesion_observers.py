@@ -74,9 +74,7 @@ def lag_and_error(found):
 lags = {"window (f8)": lag_and_error(window), "Kalman": lag_and_error(kalman)}
 alpha, beta = kalata_gains(index)
 for name, (lag, error) in lags.items():
-    print(
     print(f"{name:12} lag {1e3 * lag:3.0f} ms, rms error {error:4.0f} N")
-    )
 print(f"theory of the filter on a steady rise: {1e3 * (alpha / beta - 0.5) * DT:.0f} ms")
 
 # Half the window, or the lag of theory; to that come 10 ms of the sensor and up to 20 ms of its
