@@ -1,0 +1,137 @@
+"""Search of the peak of the adhesion curve: the slope is observed, the slip target follows it.
+
+The target is moved to and fro a little. How the observed force answers, relative to both means, is
+the slope of the curve; a scalar Kalman filter with the slope as a random walk finds it. Where the
+curve still rises the target grows, where it falls the target shrinks.
+"""
+
+from __future__ import annotations
+
+import math
+
+from railgrip.control.contract import FloatArray
+from railgrip.control.conventional_state import REFERENCE
+from railgrip.control.traction_parameters import (
+    DITHER,
+    DITHER_TIME,
+    FORCE_ERROR,
+    MEAN_TIME,
+    OBSERVER_LAG,
+    SEARCH_MARGIN,
+    SEARCH_RATE,
+    SEARCH_SLOPE,
+    SLOPE_DRIFT,
+    TARGET_GREATEST,
+    TARGET_GREATEST_SHARE,
+    TARGET_LEAST,
+    TARGET_LEAST_SHARE,
+)
+from railgrip.control.traction_state import (
+    CLOCK,
+    DOUBT_OF_SLOPE,
+    FORCE,
+    MEAN_FORCE,
+    MEAN_SLIP,
+    SLIP_LAG,
+    SLOPE,
+    TARGET,
+)
+
+FARTHEST = 1.0
+"""A slip that differs by more than this share from its mean tells nothing of the slope there."""
+
+
+def observe_slope(
+    slope: float, variance: float, slip_change: float, force_change: float,
+    force_error: float, drift: float, dt: float,
+) -> tuple[float, float]:  # fmt: skip
+    """Return slope and its variance after one more observation: a scalar Kalman filter.
+
+    Parameters
+    ----------
+    slope, variance : float
+        What the last call returned.
+    slip_change, force_change : float
+        Of slip speed and force against their means, as shares of these.
+    force_error : float
+        Standard deviation of the force around the curve, share.
+    drift : float
+        Of the slope, a random walk, [1/√s].
+    dt : float
+        Period, [s].
+
+    Examples
+    --------
+    >>> found = 0.0, 1.0
+    >>> for i in range(1000):
+    ...     change = 0.3 * math.sin(0.04 * i)
+    ...     found = observe_slope(*found, change, -0.2 * change, 0.05, 0.0, 0.01)
+    >>> round(found[0], 2)
+    -0.2
+    """
+    variance += drift * drift * dt
+    gain = variance * slip_change / (slip_change * slip_change * variance + force_error**2)
+    slope += gain * (force_change - slip_change * slope)
+    return slope, variance * (1.0 - gain * slip_change)
+
+
+def seek_peak(
+    parameters: FloatArray, state: FloatArray, own: int, train: int, slip: float, is_held: bool,
+    dt: float,
+) -> None:  # fmt: skip
+    """Update the slope and the slip target of one axle in the state.
+
+    Parameters
+    ----------
+    parameters, state : ndarray
+        As in the controller contract.
+    own, train : int
+        Where the axle's and the train's block begin.
+    slip : float
+        Slip speed of the wheel, driving positive, [m/s].
+    is_held : bool
+        Whether the torque is limited and the wheel slips: only then the curve shows.
+    dt : float
+        Period, [s].
+    """
+    force = state[own + FORCE]
+    lag = state[own + SLIP_LAG]
+    lag += dt / (parameters[OBSERVER_LAG] + dt) * (slip - lag)
+    state[own + SLIP_LAG] = lag
+    if not is_held:
+        state[own + MEAN_SLIP] = lag
+        state[own + MEAN_FORCE] = force
+        return
+    blend = dt / (parameters[MEAN_TIME] + dt)
+    mean_slip = state[own + MEAN_SLIP] + blend * (lag - state[own + MEAN_SLIP])
+    mean_force = state[own + MEAN_FORCE] + blend * (force - state[own + MEAN_FORCE])
+    state[own + MEAN_SLIP] = mean_slip
+    state[own + MEAN_FORCE] = mean_force
+    if mean_slip > 0.0 and mean_force > 0.0:
+        change = (lag - mean_slip) / mean_slip
+        if abs(change) < FARTHEST:
+            state[own + SLOPE], state[own + DOUBT_OF_SLOPE] = observe_slope(
+                state[own + SLOPE], state[own + DOUBT_OF_SLOPE], change,
+                (force - mean_force) / mean_force,
+                parameters[FORCE_ERROR], parameters[SLOPE_DRIFT], dt,
+            )  # fmt: skip
+    pull = (state[own + SLOPE] - parameters[SEARCH_MARGIN]) / parameters[SEARCH_SLOPE]
+    pull = max(-1.0, min(1.0, pull))
+    state[own + TARGET] *= 1.0 + parameters[SEARCH_RATE] * pull * dt
+    _bound(parameters, state, own)
+
+
+def _bound(parameters: FloatArray, state: FloatArray, own: int) -> None:
+    reference = state[REFERENCE]
+    least = max(parameters[TARGET_LEAST], parameters[TARGET_LEAST_SHARE] * reference)
+    most = parameters[TARGET_GREATEST] + parameters[TARGET_GREATEST_SHARE] * reference
+    state[own + TARGET] = max(least, min(most, state[own + TARGET]))
+
+
+def slip_aimed_at(
+    parameters: FloatArray, state: FloatArray, own: int, train: int, axle: int
+) -> float:
+    """Return the target with its dither, each axle at another time of it, [m/s]."""
+    turns = state[train + CLOCK] / parameters[DITHER_TIME] + 0.25 * axle
+    aim: float = state[own + TARGET] * (1.0 + parameters[DITHER] * math.sin(2.0 * math.pi * turns))
+    return aim

@@ -1,0 +1,199 @@
+"""What both traction controllers share: observe, know the train's speed, brake as the ordinary WSP.
+
+They act on motored axles only while the motors are asked and the brake is not. Otherwise the
+ordinary protection works, unchanged.
+"""
+
+from __future__ import annotations
+
+from railgrip.control.adhesion_kalman import observe_by_kalman
+from railgrip.control.axle_forces import force_per_pressure, motor_force, pressures
+from railgrip.control.axle_protection import ALARM_SENSOR, protect_axle
+from railgrip.control.contract import (
+    ALARM,
+    AXLE_LOAD,
+    BRAKED,
+    CYLINDER_PRESSURE,
+    DRIVE_DEMAND,
+    DUMP_VALVE,
+    DYNAMIC_FORCE,
+    DYNAMIC_SHARE,
+    FILL,
+    FRICTION_SHARE,
+    FULL_FORCE,
+    IS_SLIDING,
+    MOTORED,
+    REFERENCE_SPEED,
+    ROTATING_MASS,
+    SANDING,
+    TRACTIVE_EFFORT,
+    VENT,
+    FloatArray,
+)
+from railgrip.control.conventional_parameters import (
+    ROTATING_SHARE,
+    SLIP_LOWER,
+    SLIP_SPEED_LOWER_FLOOR,
+    SLIP_SPEED_UPPER_FLOOR,
+    SLIP_UPPER,
+)
+from railgrip.control.conventional_state import IS_FAULTY, REFERENCE, SLIDES, SPEED, axle_base
+from railgrip.control.conventional_wsp import conventional_initial
+from railgrip.control.diameter_compensation import learn_diameters
+from railgrip.control.driving_sights import know_train_speed
+from railgrip.control.sanding_request import request_sand
+from railgrip.control.slip_band import note_slide, threshold
+from railgrip.control.traction_parameters import FORCE_DRIFT, SPEED_NOISE
+from railgrip.control.traction_state import (
+    APPLIED_BEFORE,
+    BELIEVED_SPEED,
+    CLOCK,
+    FORCE,
+    FORCE_PER_PRESSURE,
+    LOAD,
+    LOOKING,
+    MASS,
+    SHARE,
+    SHARE_AT_SPIN,
+    own_base,
+    train_base,
+)
+from railgrip.control.train_observer import look_at_wheels, observe_train
+from railgrip.core.constants import GRAVITY
+
+USUAL_LOAD = 130.0e3
+"""Axle load where the vehicle does not tell it, N (illustrative)."""
+STANDING = 0.05
+"""A wheel slower than this stands: its brake may hold more than the rail, m/s."""
+LEAST_SPEED = 0.1
+"""Below it power no longer bounds the tractive effort, m/s."""
+SPIN_SHARE, SPIN_FLOOR = 0.01, 0.1
+"""A wheel faster than the train by more than this share, or this, m/s, spins."""
+
+
+def traction_initial(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray
+) -> None:
+    """Fill the state at the start: masses and loads, full torque permitted."""
+    conventional_initial(parameters, axle_setup, state, measured)
+    n_axles = measured.shape[0]
+    for axle in range(n_axles):
+        own = own_base(n_axles, axle)
+        load = axle_setup[axle, AXLE_LOAD]
+        load = load if load > 1.0e3 else USUAL_LOAD
+        mass = axle_setup[axle, ROTATING_MASS]
+        state[own + LOAD] = load
+        state[own + MASS] = mass if mass > 0.0 else parameters[ROTATING_SHARE] * load / GRAVITY
+        full = axle_setup[axle, FULL_FORCE]
+        state[own + FORCE_PER_PRESSURE] = force_per_pressure(axle_setup, axle, full)
+        state[own + BELIEVED_SPEED] = state[axle_base(axle) + SPEED]
+        state[own + SHARE] = 1.0
+        state[own + SHARE_AT_SPIN] = 1.0
+
+
+def observe_while_driving(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
+    dt: float,
+) -> None:  # fmt: skip
+    """Update wheels, forces of the rails, and reference speed in the state."""
+    n_axles = measured.shape[0]
+    look_at_wheels(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
+    for axle in range(n_axles):
+        _observe_force(parameters, axle_setup, state, measured, axle, dt)
+    know_train_speed(parameters, axle_setup, state, measured, dt)
+    state[train_base(n_axles) + CLOCK] += dt
+
+
+def _observe_force(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
+    axle: int, dt: float,
+) -> None:  # fmt: skip
+    own = own_base(measured.shape[0], axle)
+    speed = state[axle_base(axle) + SPEED]
+    mass = state[own + MASS]
+    applied = -measured[axle, DYNAMIC_FORCE]
+    if axle_setup[axle, BRAKED] > 0.0:
+        over = measured[axle, CYLINDER_PRESSURE] - pressures(axle_setup, axle)[0]
+        if 0.0 < over < 1.0e7:
+            applied -= state[own + FORCE_PER_PRESSURE] * over
+    before = state[own + APPLIED_BEFORE]
+    state[own + APPLIED_BEFORE] = applied
+    if speed < STANDING or state[axle_base(axle) + IS_FAULTY] > 0.0:
+        state[own + BELIEVED_SPEED] = speed
+        state[own + FORCE] = max(applied, 0.0)
+        return
+    index = parameters[FORCE_DRIFT] / mass * dt * dt / parameters[SPEED_NOISE]
+    # speeds come one period late, so the forces of one period ago are put beside them
+    state[own + BELIEVED_SPEED], state[own + FORCE] = observe_by_kalman(
+        speed, state[own + BELIEVED_SPEED], state[own + FORCE], before, mass,
+        index, dt,
+    )  # fmt: skip
+
+
+def demanded_force(
+    axle_setup: FloatArray, state: FloatArray, measured: FloatArray, axle: int
+) -> float:
+    """Return what the driver asks of an axle's motor at its present speed, [N]."""
+    speed = state[axle_base(axle) + SPEED]
+    effort = motor_force(axle_setup, axle, speed, TRACTIVE_EFFORT, LEAST_SPEED)
+    demand: float = effort * measured[axle, DRIVE_DEMAND]
+    return demand
+
+
+def command_motor(
+    parameters: FloatArray, state: FloatArray, measured: FloatArray, command: FloatArray,
+    axle: int, share: float, dt: float,
+) -> None:  # fmt: skip
+    """Write the command of one axle while the train is driven."""
+    n_axles = measured.shape[0]
+    base = axle_base(axle)
+    own = own_base(n_axles, axle)
+    spin_speed = state[base + SPEED] - state[REFERENCE]
+    lower = threshold(SPIN_SHARE, SPIN_FLOOR, state[REFERENCE])
+    limited = share < 0.999 and spin_speed > lower
+    note_slide(state, base, VENT if limited else FILL, spin_speed, lower, dt)
+    state[own + SHARE] = share
+    is_looking = state[train_base(n_axles) + LOOKING] == axle + 1.0
+    command[axle, DYNAMIC_SHARE] = 0.0 if is_looking else share
+    command[axle, FRICTION_SHARE] = 1.0
+    command[axle, DUMP_VALVE] = FILL
+    command[axle, SANDING] = request_sand(parameters, state, base, dt)
+    command[axle, IS_SLIDING] = state[base + SLIDES]
+    command[axle, ALARM] = ALARM_SENSOR if state[base + IS_FAULTY] > 0.0 else 0.0
+    command[axle, REFERENCE_SPEED] = state[REFERENCE]
+
+
+def brake_conventionally(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
+    command: FloatArray, dt: float,
+) -> None:  # fmt: skip
+    """Advance the ordinary protection by one period, and forget what driving had learned."""
+    observe_train(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
+    learn_diameters(parameters, state, measured, dt)
+    n_axles = measured.shape[0]
+    reference = state[REFERENCE]
+    lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)
+    upper = threshold(parameters[SLIP_UPPER], parameters[SLIP_SPEED_UPPER_FLOOR], reference)
+    for axle in range(n_axles):
+        protect_axle(parameters, axle_setup, state, measured, command, axle, lower, upper, dt)
+        command[axle, REFERENCE_SPEED] = reference
+        own = own_base(n_axles, axle)
+        state[own + SHARE] = 1.0
+        state[own + BELIEVED_SPEED] = state[axle_base(axle) + SPEED]
+        state[own + FORCE] = 0.0
+    state[train_base(n_axles) + LOOKING] = 0.0
+
+
+def acts_on(axle_setup: FloatArray, state: FloatArray, axle: int) -> bool:
+    """Return whether an axle has a motor and its speed is believed."""
+    is_sound = state[axle_base(axle) + IS_FAULTY] == 0.0
+    return bool(axle_setup[axle, MOTORED] > 0.0 and is_sound)
+
+
+def sand_together(command: FloatArray, n_axles: int) -> None:
+    """Let every sander work while one driven axle wants sand: wheels without a motor never spin."""
+    is_wanted = 0.0
+    for axle in range(n_axles):
+        is_wanted = max(is_wanted, command[axle, SANDING])
+    for axle in range(n_axles):
+        command[axle, SANDING] = is_wanted
