@@ -8,7 +8,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from railgrip.control import brake_control_table as table
 from railgrip.control import contract as ctl
+from railgrip.control.brake_control_table import brake_state_size
 from railgrip.control.rotation_monitoring import rotation_state_size
 from railgrip.core import registry
 from railgrip.core.errors import Problem, RailgripError, unknown_name
@@ -94,6 +96,9 @@ def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
         command=np.zeros((lanes, n_axles, ctl.N_COMMAND)),
         monitor_state=np.zeros((lanes, rotation_state_size(n_axles))),
         alarm=np.zeros((lanes, n_axles)),
+        brake_state=np.zeros((lanes, brake_state_size(n_axles) if plan.brake_control.every else 0)),
+        brake_measured=np.zeros((lanes, n_axles, table.N_MEASURED)),
+        brake_command=np.zeros((lanes, n_axles, table.N_COMMAND)),
     )
 
 
