@@ -35,7 +35,7 @@ def _hinges(setup: FloatArray, axle: int, at: int) -> Hinges:
 
 def _clamp(setup: FloatArray, axle: int, pressure: float) -> float:
     nominal = setup[axle, t.CLAMP_PER_PRESSURE] * pressure + setup[axle, t.CLAMP_OFFSET]
-    return max(nominal, 0.0)
+    return float(max(nominal, 0.0))
 
 
 def estimate_axle(
