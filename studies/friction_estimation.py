@@ -1,10 +1,11 @@
 """Constant friction, friction estimate, deceleration control and both, on random stops.
 
 The four-car unit without its dynamic brake (friction is the subject), dry level rail (no wheel
-slides, so no protection runs), emergency and 80 % service, from 160 and 80 km/h. Every run draws pads, rigging, wheels, mass, disc temperatures
-and sensor errors; the same draws are used for every way of braking (common random numbers). Three
-reserves of cylinder pressure; what is learned from earlier stops; and three cases for themselves,
-with 500 stops: one bogie without brake, wet pads, constant friction calibrated to the mean stop.
+slides, so no protection runs), emergency and 80 % service, from 160 and 80 km/h. Every run draws
+pads, rigging, wheels, mass, disc temperatures and sensor errors; the same draws are used for every
+way of braking (common random numbers). Three reserves of cylinder pressure; what is learned from
+earlier stops; and three cases for themselves, with 500 stops: one bogie without brake, wet pads,
+constant friction calibrated to the mean stop.
 
     python studies/friction_estimation.py [--quick] [--out FOLDER]
 """

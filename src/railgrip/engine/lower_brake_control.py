@@ -2,35 +2,17 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from railgrip.control import brake_control_table as to
 from railgrip.control.brake_control_table import BrakeControlParameters
-from railgrip.control.friction_estimate import (
-    ON_DEVIATION,
-    ON_FUNCTIONS,
-    ON_RESULT,
-    Influence,
-    LimitSet,
-)
-from railgrip.control.limit_rules import (
-    ANY,
-    EMERGENCY_BRAKE,
-    N_RULE,
-    NEW,
-    SERVICE,
-    WORN,
-    Conditions,
-    LimitRule,
-    rule_numbers,
-)
+from railgrip.control.limit_rules import N_RULE, NEW, WORN, rule_numbers
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.formulas.piecewise_linear import Hinges, hinges_from_points
 from railgrip.engine import layout as at
+from railgrip.engine.lower_limit_rules import lower_rule
 from railgrip.engine.plan import BrakeControlPlan, FloatArray
 from railgrip.scenario import brake_control as described
 from railgrip.scenario.brakes import FrictionBrake
@@ -39,9 +21,6 @@ from railgrip.scenario.scenario import Scenario
 
 UNLIMITED = 1e9
 """A jerk that nothing reaches, m/s³."""
-_FORMS = {"functions": ON_FUNCTIONS, "result": ON_RESULT, "deviation": ON_DEVIATION}
-_BRAKES = {"any": ANY, "service": SERVICE, "emergency": EMERGENCY_BRAKE}
-_PADS = {"any": ANY, "new": NEW, "worn": WORN}
 _WHEN = {"always": to.ALWAYS, "past_threshold": to.PAST_THRESHOLD}
 _DISC = (
     "RING_MASS", "HUB_MASS", "CONDUCTANCE", "DISC_SURFACE", "HEAT_SHARE", "FILM_STILL",
@@ -80,7 +59,7 @@ def lower_brake_control(scenario: Scenario, table: FloatArray) -> BrakeControlPl
         )
     setup = _setup(scenario, layer, table)
     estimator = layer.estimator
-    rules = [rule_numbers(_rule(rule)) for rule in estimator.rule] if estimator else []
+    rules = [rule_numbers(lower_rule(rule)) for rule in estimator.rule] if estimator else []
     return BrakeControlPlan(
         every=round(every),
         period=layer.period,
@@ -210,7 +189,8 @@ def _parameters(
         resistance_quadratic=resistance[2] / mass,
         dead_time=dead,
         filling=dead + 6.0 * lag,
-        settling=dead,
+        # the first share of pressure means nothing yet
+        settling=dead + 2.0 * layer.period,
         reserve=layer.pressure_reserve,
         redistributes=float(layer.redistributes),
         stops=float(layer.stop_at is not None),
@@ -241,31 +221,3 @@ def _filling_lags(scenario: Scenario, braked: Any) -> list[float]:
             share = {"linear": 0.5 * brake.fill_time, "orifice": brake.fill_time / 3}
             found.append(share.get(brake.fill, brake.lag))
     return found
-
-
-def _rule(rule: described.Rule) -> LimitRule:
-    ranges: list[float] = []
-    for name in ("train_speed", "time", "disc_temperature", "rubbing_speed", "clamp_force"):
-        low, high = getattr(rule, name)
-        ranges += [-math.inf if low is None else low, math.inf if high is None else high]
-    when = Conditions(_BRAKES[rule.brake], _PADS[rule.pads], *ranges)
-    return LimitRule(when, _limits(rule.model), _limits(rule.control))
-
-
-def _limits(limits: described.LimitSet) -> LimitSet:
-    form = limits.form if isinstance(limits, described.ControlLimitSet) else "functions"
-    return LimitSet(
-        _influence(limits.temperature, limits.temperature.weight),
-        _influence(limits.speed, limits.speed.weight),
-        _influence(limits.clamp_force, limits.clamp_force.weight),
-        _FORMS[form],
-        limits.weight,
-    )
-
-
-def _influence(bounds: described.Bounds, weight: Sequence[tuple[float, float]]) -> Influence:
-    return Influence(
-        -math.inf if bounds.least is None else bounds.least,
-        math.inf if bounds.greatest is None else bounds.greatest,
-        hinges_from_points(weight),
-    )

@@ -44,11 +44,17 @@ def signals(brake: BrakeControl, **train: float) -> np.ndarray:
 
 
 def settle(brake: BrakeControl, measured: np.ndarray, seconds: float = 3.0) -> Any:
-    """Return command and state after a while in which every cylinder has what it was told."""
+    """Return command and state after a while in which every cylinder has what it was told.
+
+    Nothing brakes before the dead time of 0.3 s is over.
+    """
     state = brake.reset()
     measured = measured.copy()
+    braking = measured[0, t.DECELERATION]
     command = brake.step(state, measured, DT)
-    for _ in range(round(seconds / DT)):
+    for i in range(round(seconds / DT)):
+        resisted = braking - 0.8 * brake.parameters.full_deceleration
+        measured[0, t.DECELERATION] = braking if i > 5 else resisted
         demand = measured[0, t.BRAKE_DEMAND] * command[:, t.FORCE_FACTOR]
         share = demand * command[:, t.PRESSURE_FACTOR]
         measured[:, t.CYLINDER_PRESSURE] = share * brake.setup[:, t.FULL_PRESSURE]
