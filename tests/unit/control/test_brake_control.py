@@ -10,6 +10,7 @@ import pytest
 import railgrip as rg
 from railgrip.control import brake_control_table as t
 from railgrip.control.brake_control import BrakeControl
+from railgrip.core.constants import GRAVITY
 from railgrip.engine.brake_control_tick import _kernel
 from railgrip.engine.lower_brake_control import lower_brake_control
 from railgrip.engine.lower_train import lower_train
@@ -136,7 +137,7 @@ def test_figure_5_passes_the_estimate_on_past_the_threshold_only() -> None:
 
 def test_nothing_to_correct_where_the_train_does_as_asked() -> None:
     brake = control(deceleration={})
-    command, _ = settle(brake, signals(brake))
+    command, _ = settle(brake, signals(brake), 20.0)
     assert command[0, t.CORRECTION_OUT] == pytest.approx(0.0, abs=1e-3)
 
 
@@ -180,7 +181,7 @@ def test_gradient_compensation_is_the_weight_down_the_slope(
     brake = control(gradient_compensation=1.0)
     command, _ = settle(brake, signals(brake, GRADIENT=gradient, EMERGENCY=emergency))
     asked = 0.8 * brake.parameters.full_deceleration
-    assert (command[0, t.FORCE_FACTOR] - 1.0) * asked == pytest.approx(9.80665 * more, abs=1e-9)
+    assert (command[0, t.FORCE_FACTOR] - 1.0) * asked == pytest.approx(GRAVITY * more, abs=1e-9)
 
 
 def test_friction_gives_what_the_dynamic_brake_leaves() -> None:
