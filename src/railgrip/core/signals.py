@@ -52,6 +52,13 @@ _CATALOGUE = (
         _TRAIN,
         "Number of the state that the controller is in; 0: unnumbered.",
     ),
+    Signal(
+        "brake_correction",
+        "u",
+        "1",
+        _TRAIN,
+        "Correction of the deceleration controller, over what is asked.",
+    ),
     # each axle over time
     Signal("wheel_speed", "w", "m/s", _AXLE, "True peripheral speed of the wheel at the tread."),
     Signal("measured_speed", "w_m", "m/s", _AXLE, "Wheel speed as the controller measures it."),
@@ -97,6 +104,13 @@ _CATALOGUE = (
     Signal("dump_valve", "z", "1", _AXLE, "Dump valve as it stands: 0 FILL, 1 HOLD, 2 VENT."),
     Signal("clamp_force", "F_b", "N", _AXLE, "Force of pads or blocks, all units of the axle."),
     Signal("pad_friction", "mu_p", "1", _AXLE, "Friction coefficient of pads or blocks."),
+    Signal(
+        "estimated_friction",
+        "mu_S",
+        "1",
+        _AXLE,
+        "Friction of pads or blocks that brake control reckons with.",
+    ),
     Signal("brake_force", "F_B", "N", _AXLE, "Friction brake force acting at the tread."),
     Signal(
         "dynamic_force",
@@ -174,6 +188,13 @@ _CATALOGUE = (
     ),
     Signal("stopping_time", "t", "s", _RUN, "Time from the first brake command to the stand."),
     Signal(
+        "correction_effort",
+        "",
+        "1",
+        _RUN,
+        "Mean of |brake_correction| from 2 s after the command to the stop.",
+    ),
+    Signal(
         "build_up_time",
         "t_e",
         "s",
@@ -236,6 +257,13 @@ _CATALOGUE = (
         "s",
         _PER_AXLE,
         "Longest single time of locking above 30 km/h train speed.",
+    ),
+    Signal(
+        "axle_mean_adhesion",
+        "tau_m",
+        "1",
+        _PER_AXLE,
+        "Contact force over static load, mean from 2 s after the command to the stop.",
     ),
     Signal("axle_greatest_flash", "", "K", _PER_AXLE, "Greatest flash temperature rise."),
     Signal("axle_greatest_slip", "", "1", _PER_AXLE, "Greatest slip above 3 m/s train speed."),

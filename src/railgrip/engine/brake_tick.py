@@ -66,7 +66,8 @@ def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
         # the speed at the end of the tick, where the new force will stand
         end = max(2.0 * S[b + at.WHEEL_SPEED * L + k] - S[b + at.SPEED_BEFORE * L + k], 0.0)
         limit = _dynamic_limit(brake, end)
-        asked = S[b + at.DEMAND * L + k] * S[b + at.FULL_FORCE * L + k]
+        asked = S[b + at.DEMAND * L + k] * S[b + at.FORCE_FACTOR * L + k]
+        asked = asked * S[b + at.FULL_FORCE * L + k]
         permitted = S[b + at.DYNAMIC_SHARE * L + k] * S[b + at.HERE_DYNAMIC * L + k]
         by_power = S[b + at.TRACTION_POWER * L + k] / max(end, LEAST_POWER_SPEED)
         effort = min(S[b + at.TRACTION_MAX * L + k], by_power) * S[b + at.HERE_DRIVE * L + k]
@@ -83,10 +84,11 @@ def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
 
 @inlined
 def _target(L: int, S: Any, b: int, k: int) -> float:
-    """Return the pressure for what the dynamic brake leaves over."""
+    """Return the pressure for what the dynamic brake leaves over, as brake control bends it."""
     taken = max(S[b + at.DYNAMIC_ACTING * L + k], 0.0) * S[b + at.PER_FULL_FORCE * L + k]
-    left = S[b + at.DEMAND * L + k] - taken
-    return float(S[b + at.FULL_PRESSURE * L + k] * max(left, 0.0))
+    left = S[b + at.DEMAND * L + k] * S[b + at.FORCE_FACTOR * L + k] - taken
+    wanted = S[b + at.FULL_PRESSURE * L + k] * max(left, 0.0) * S[b + at.PRESSURE_FACTOR * L + k]
+    return float(min(wanted, S[b + at.PRESSURE_LIMIT * L + k]))
 
 
 @inlined
@@ -203,6 +205,7 @@ def pad_pass(lanes: Any, S: Any, b: int, brake: Any) -> None:
             clamp, rubbing, hot = _pad_inputs(L, S, b, k)
             S[b + at.PAD_FRICTION * L + k] = _piecewise(pad, clamp, rubbing, hot)
     for k in range(L):
+        S[b + at.PAD_FRICTION * L + k] *= S[b + at.PAD_FACTOR * L + k]
         S[b + at.BRAKE_LIMIT * L + k] = (
             S[b + at.PAD_FRICTION * L + k]
             * S[b + at.CLAMP_ACTING * L + k]

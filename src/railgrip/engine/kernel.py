@@ -17,6 +17,7 @@ from railgrip.control.rotation_monitoring import rotation_monitoring
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
 from railgrip.engine import offsets as to
+from railgrip.engine.brake_control_tick import control_brakes
 from railgrip.engine.faults import break_sensors, break_valves, seize_axles
 from railgrip.engine.offsets import width
 from railgrip.engine.rail import enter_cells, heat_rail, lay_sand, line_forces
@@ -374,6 +375,8 @@ def run_lanes(
         drive(at.LANES, S, memory, plan)
         sense_lanes(S, plan, moment)
         control(at.LANES, S, memory, plan, moment, controller, initial)
+        if plan.brake_control.every > 0:
+            control_brakes(at.LANES, S, memory, plan)
         advance_lanes(S, plan, custom, moment)
         leave_behind(at.LANES, S, memory, plan)
         moment += 1
@@ -395,6 +398,8 @@ def run_single(
         drive(1, S, memory, plan)
         sense_single(S, plan, moment)
         control(1, S, memory, plan, moment, controller, initial)
+        if plan.brake_control.every > 0:
+            control_brakes(1, S, memory, plan)
         advance_single(S, plan, custom, moment)
         leave_behind(1, S, memory, plan)
         moment += 1
@@ -429,5 +434,7 @@ def after_control_single(memory: Any, plan: Any, moment: int, custom: Any) -> No
     obey(to.as_offset(1), S, memory.command[0], plan.n_axles, to.as_offset(0), slot)
     share_inverters(1, S, plan.formation.inverter_of_axle, 0)
     ask_for_sand(1, S, memory.command[0], n_axles, 0)
+    if plan.brake_control.every > 0:
+        control_brakes(1, S, memory, plan)
     advance_single(S, plan, custom, moment)
     leave_behind(1, S, memory, plan)

@@ -12,6 +12,7 @@ from railgrip.control.rotation_monitoring import RotationMonitoring
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine import layout as at
 from railgrip.engine.creep_laws import find_creep_law
+from railgrip.engine.lower_brake_control import lower_brake_control
 from railgrip.engine.lower_train import ENDLESS, lower_train, static_loads
 from railgrip.engine.plan import Faults, FloatArray, Formation, IntArray, Plan, Timing, Way
 from railgrip.scenario.fault import FAULT_KINDS
@@ -68,6 +69,7 @@ def lower(scenario: Scenario, control_period: float, parameters: FloatArray) -> 
         parameters=table,
         controller_parameters=parameters,
         monitor_parameters=np.array(RotationMonitoring(), dtype=float),
+        brake_control=lower_brake_control(scenario, table),
     )
 
 

@@ -85,6 +85,9 @@ def _train_values(scenario: Scenario) -> dict[str, float]:
         "RESISTANCE_LINEAR": sum(part.linear for part in parts),
         "RESISTANCE_QUADRATIC": sum(part.quadratic for part in parts),
         "PITCH_TIME": PITCH_TIME,
+        "DECELERATION_SCALE": 1.0,
+        "DECELERATION_OFFSET": 0.0,
+        "POSITION_ERROR": 0.0,
         "INITIAL_SPEED": scenario.run.speed,
         "START_POSITION": scenario.line.start,
         "TRACK_BRAKE_ATTRACTION": force,
@@ -163,6 +166,11 @@ def _axle_values(scenario: Scenario, i: int) -> tuple[dict[str, float], FloatArr
         "BELIEVED_RATIO": axle.believed_radius / axle.wheel_radius,
         "OFFSET": place.behind_front,
         "AMBIENT": scenario.run.ambient,
+        "START_TEMPERATURE": scenario.run.ambient,
+        "PAD_FACTOR": 1.0,
+        "LEARNED_FRICTION": 1.0,
+        "TEMPERATURE_ERROR": 0.0,
+        "PRESSURE_LIMIT": ENDLESS,
         "SANDER_FLOW": train.sander.flow if train.sander and axle.sander else 0.0,
     }
     factor = vehicle.brake_factor(scenario.payloads()[place.vehicle])
@@ -170,6 +178,8 @@ def _axle_values(scenario: Scenario, i: int) -> tuple[dict[str, float], FloatArr
     values |= _dynamic_values(scenario, axle.motor)
     values |= _traction_values(scenario, axle.motor)
     values |= _valve_values(scenario, brake)
+    if scenario.brake_control is not None:
+        values["PRESSURE_LIMIT"] = values["FULL_PRESSURE"] * scenario.brake_control.pressure_reserve
     if brake is not None and train.brake_control.kind == "pipe":
         middle = train.vehicle_fronts()[place.vehicle] + vehicle.length / 2
         values["DEMAND_DELAY"] += middle / train.brake_control.wave_speed

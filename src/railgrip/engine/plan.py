@@ -145,6 +145,28 @@ class CreepTables(NamedTuple):
     error: float
 
 
+class BrakeControlPlan(NamedTuple):
+    """Brake control above the protection; see `control.brake_control`.
+
+    Attributes
+    ----------
+    every : int
+        Ticks between two calls; 0: there is none.
+    period, sensor_lag, stop_position : float
+        [s]; of the disc temperature sensors [s]; where to stop [m].
+    parameters, rules, setup : float arrays
+        As the kernel takes them.
+    """
+
+    every: int
+    period: float
+    sensor_lag: float
+    stop_position: float
+    parameters: FloatArray
+    rules: FloatArray
+    setup: FloatArray
+
+
 class Plan(NamedTuple):
     """All of it, for the kernel."""
 
@@ -159,6 +181,7 @@ class Plan(NamedTuple):
     """(1 + axles, N_PARAMETERS): row 0 the train, then each axle."""
     controller_parameters: FloatArray
     monitor_parameters: FloatArray
+    brake_control: BrakeControlPlan
 
 
 class Overrides(NamedTuple):
@@ -189,6 +212,9 @@ class Memory(NamedTuple):
     command: FloatArray
     monitor_state: FloatArray
     alarm: FloatArray
+    brake_state: FloatArray
+    brake_measured: FloatArray
+    brake_command: FloatArray
 
 
 class Outcome(NamedTuple):

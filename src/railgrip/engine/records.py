@@ -18,19 +18,19 @@ TRAIN_OUTCOMES = (
     "slide_activity", "energy_kinetic_initial", "energy_kinetic_final", "energy_contact",
     "energy_brake", "energy_dynamic", "energy_track_brake", "energy_resistance",
     "energy_gradient", "energy_rail", "air_used", "energy_traction", "covered_distance",
-    "final_speed", "end_position", "end_time",
+    "final_speed", "correction_effort", "end_position", "end_time",
 )  # fmt: skip
 """Columns of Outcome.train."""
 AXLE_OUTCOMES = (
     "axle_slid_distance", "axle_slid_energy", "axle_locked_time", "axle_longest_lock",
     "axle_greatest_slip", "axle_slide_time", "axle_greatest_disc_temperature",
     "axle_locked_slide", "axle_valve_cycles", "axle_greatest_spin", "axle_spin_time",
-    "axle_greatest_flash", "axle_longest_fast_lock",
+    "axle_greatest_flash", "axle_longest_fast_lock", "axle_mean_adhesion",
 )  # fmt: skip
 """Columns of Outcome.axle."""
 TRAIN_TRACES = (
     "train_speed", "train_position", "acceleration", "reference_speed", "brake_demand",
-    "track_brake_force", "drive_demand", "wsp_state",
+    "track_brake_force", "drive_demand", "wsp_state", "brake_correction",
 )  # fmt: skip
 """Columns of Outcome.trace_train."""
 AXLE_TRACES = (
@@ -38,7 +38,7 @@ AXLE_TRACES = (
     "friction_ratio", "friction_decay", "adhesion_reduction", "slip_reduction", "cleaning",
     "brake_cylinder_pressure", "supply_pressure", "dump_valve", "clamp_force", "pad_friction",
     "brake_force", "dynamic_force", "disc_temperature", "hub_temperature", "is_sliding", "alarm",
-    "flash_temperature", "slip_range", "wsp_alarm",
+    "flash_temperature", "slip_range", "wsp_alarm", "estimated_friction",
 )  # fmt: skip
 """Columns of Outcome.trace_axle."""
 
@@ -75,6 +75,7 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
     train[5] = S[at.TRACK_BRAKE_FORCE * L + k]
     train[6] = drive_demand(tick, timing.drive_tick, timing.drive_level)
     train[7] = memory.command[k, 0, ctl.WSP_STATE]
+    train[8] = S[at.BRAKE_CORRECTION * L + k]
     for axle in range(n_axles):
         line = out.trace_axle[run, row, axle]
         _record_axle(L, S, memory.command[k, axle], line, plan, axle, k)
@@ -110,6 +111,7 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
     row[21] = S[b + at.FLASH_RISE * L]
     row[22] = command[ctl.SLIP_RANGE]
     row[23] = command[ctl.ALARM]
+    row[24] = S[b + at.ESTIMATED_FRICTION * L]
 
 
 @compiled
@@ -129,8 +131,10 @@ def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status
     row[13] = S[at.GRADIENT_ENERGY * L + k]
     row[17] = S[at.POSITION * L + k] - S[at.START_POSITION * L + k]
     row[18] = S[at.TRAIN_SPEED * L + k]
-    row[19] = S[at.POSITION * L + k]
-    row[20] = S[at.TICK * L + k] * plan.timing.tick
+    watched = S[at.EFFORT_TIME * L + k]
+    row[19] = S[at.EFFORT_SUM * L + k] / watched
+    row[20] = S[at.POSITION * L + k]
+    row[21] = S[at.TICK * L + k] * plan.timing.tick
     build_up = 0.0
     full = 0.0
     contact = 0.0
@@ -161,6 +165,7 @@ def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status
         line[10] = S[b + at.SPIN_TIME * L]
         line[11] = S[b + at.GREATEST_FLASH * L]
         line[12] = S[b + at.LONGEST_FAST_LOCK * L]
+        line[13] = S[b + at.ADHESION_SUM * L] / watched
     row[4] = build_up / max(full, 1e-9)
     row[8] = contact
     row[9] = brake

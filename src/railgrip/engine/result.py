@@ -32,6 +32,11 @@ OF_DRIVING = {
 }  # fmt: skip
 """What only a run that drives, or goes on for a given time, has to tell."""
 
+OF_BRAKE_CONTROL = {
+    "correction_effort", "axle_mean_adhesion", "brake_correction", "estimated_friction",
+}  # fmt: skip
+"""What only a train with brake control has to tell."""
+
 
 def drives(scenario: Scenario) -> bool:
     """Return whether a run is more than a stop: it drives, or goes on for a given time."""
@@ -112,6 +117,8 @@ class Result:
             )  # fmt: skip
         if not drives(scenario):
             variables = {name: v for name, v in variables.items() if name not in OF_DRIVING}
+        if scenario.brake_control is None:
+            variables = {n: v for n, v in variables.items() if n not in OF_BRAKE_CONTROL}
         data = xr.Dataset(
             {name: (dims, values, attributes(name)) for name, (dims, values) in variables.items()},
             coords=coords,

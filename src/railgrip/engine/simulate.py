@@ -8,7 +8,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from railgrip.control import brake_control_table as table
 from railgrip.control import contract as ctl
+from railgrip.control.brake_control_table import brake_state_size
 from railgrip.control.rotation_monitoring import rotation_state_size
 from railgrip.core import registry
 from railgrip.core.errors import Problem, RailgripError, unknown_name
@@ -24,6 +26,7 @@ from railgrip.engine.controllers import (
     plain_step,
 )
 from railgrip.engine.lower import controller_setup, lower, ring_cells
+from railgrip.engine.lower_train import lower_train
 from railgrip.engine.plan import FloatArray, Memory, Outcome, Overrides, Plan
 from railgrip.engine.plug_ins import CREEP_LAW, creep_law, first_class
 from railgrip.engine.records import AXLE_OUTCOMES, AXLE_TRACES, TRAIN_OUTCOMES, TRAIN_TRACES
@@ -94,6 +97,9 @@ def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
         command=np.zeros((lanes, n_axles, ctl.N_COMMAND)),
         monitor_state=np.zeros((lanes, rotation_state_size(n_axles))),
         alarm=np.zeros((lanes, n_axles)),
+        brake_state=np.zeros((lanes, brake_state_size(n_axles) if plan.brake_control.every else 0)),
+        brake_measured=np.zeros((lanes, n_axles, table.N_MEASURED)),
+        brake_command=np.zeros((lanes, n_axles, table.N_COMMAND)),
     )
 
 
@@ -155,6 +161,31 @@ def overrides(prepared: Prepared, variations: Variations, n_runs: int) -> Overri
             raise RailgripError(unknown_name("", "quantity", name, train_names + axle_names))
     value = np.stack(columns, axis=1) if columns else np.zeros((n_runs, 0))
     return Overrides(np.array(index, dtype=np.int64), np.ascontiguousarray(value))
+
+
+def nominal_numbers(scenario: Scenario) -> dict[str, Any]:
+    """Return the numbers that a scenario's runs begin with, for variations around them.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Complete and checked.
+
+    Returns
+    -------
+    dict
+        Name of the layout → number of the train, or array (axle).
+
+    Examples
+    --------
+    >>> import railgrip as rg
+    >>> numbers = nominal_numbers(rg.load("dry_emergency"))
+    >>> float(numbers["TRAIN_MASS"]), float(numbers["PAD_FACTOR"][3])
+    (220000.0, 1.0)
+    """
+    table, _ = lower_train(scenario)
+    of_train = dict(zip(at.TRAIN_PARAMETERS.split(), table[0], strict=False))
+    return of_train | dict(zip(at.AXLE_PARAMETERS.split(), table[1:].T.copy(), strict=True))
 
 
 def simulate(

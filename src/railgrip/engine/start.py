@@ -77,15 +77,18 @@ def _begin_axle(L: int, S: Any, plan: Any, k: int, axle: int) -> None:
     believed = speed * S[b + at.BELIEVED_RATIO * L]
     S[b + at.WHEEL_SPEED * L] = speed
     S[b + at.SPEED_BEFORE * L] = speed
-    S[b + at.RING_TEMPERATURE * L] = S[b + at.AMBIENT * L]
-    S[b + at.HUB_TEMPERATURE * L] = S[b + at.AMBIENT * L]
-    S[b + at.RING_MIDDLE * L] = S[b + at.AMBIENT * L]
-    S[b + at.HUB_MIDDLE * L] = S[b + at.AMBIENT * L]
-    S[b + at.GREATEST_TEMPERATURE * L] = S[b + at.AMBIENT * L]
+    S[b + at.RING_TEMPERATURE * L] = S[b + at.START_TEMPERATURE * L]
+    S[b + at.HUB_TEMPERATURE * L] = S[b + at.START_TEMPERATURE * L]
+    S[b + at.RING_MIDDLE * L] = S[b + at.START_TEMPERATURE * L]
+    S[b + at.HUB_MIDDLE * L] = S[b + at.START_TEMPERATURE * L]
+    S[b + at.GREATEST_TEMPERATURE * L] = S[b + at.START_TEMPERATURE * L]
     S[b + at.MEASURED_SPEED * L] = believed
     S[b + at.IS_FILL * L] = 1.0
     S[b + at.DYNAMIC_SHARE * L] = 1.0
     S[b + at.FRICTION_SHARE * L] = 1.0
+    S[b + at.FORCE_FACTOR * L] = 1.0
+    S[b + at.PRESSURE_FACTOR * L] = 1.0
+    S[b + at.SENSED_TEMPERATURE * L] = S[b + at.START_TEMPERATURE * L]
     S[b + at.RESERVOIR_PRESSURE * L] = plan.formation.reservoir_pressure[
         plan.formation.vehicle_of_axle[axle]
     ]
@@ -100,6 +103,8 @@ def _begin_control(L: int, S: Any, memory: Any, n_axles: int, k: int) -> None:
         memory.controller_state[k, i] = 0.0
     for i in range(memory.monitor_state.shape[1]):
         memory.monitor_state[k, i] = 0.0
+    for i in range(memory.brake_state.shape[1]):
+        memory.brake_state[k, i] = 0.0
     for axle in range(n_axles):
         memory.alarm[k, axle] = 0.0
     for axle in range(n_axles):

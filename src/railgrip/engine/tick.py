@@ -32,6 +32,8 @@ LEAST_SLIP_SPEED = 3.0
 """Train speed below which no greatest slip is recorded, m/s."""
 ACTIVITY_SPEED = 60.0 / 3.6
 """Slide activity is judged down to this train speed, m/s."""
+LEAST_FACTOR = 0.5
+"""Of brake control's force factor, where build-up is counted: a jerk limit begins at nothing."""
 BUILT_UP = 0.99
 """Share of the asked force at which the brake counts as built up."""
 
@@ -216,12 +218,15 @@ def _account_build_up(lanes: Any, S: Any, b: int, h: float) -> None:
     """Count the force that is still missing after the first command, as time at full force."""
     L = width(lanes)
     for k in range(L):
+        # over what brake control asks for now: friction that needs less pressure is built up too
+        pressure = S[b + at.SUPPLY_PRESSURE * L + k] * S[b + at.PER_FULL_PRESSURE * L + k]
         offered = (
-            S[b + at.SUPPLY_PRESSURE * L + k] * S[b + at.PER_FULL_PRESSURE * L + k]
+            pressure / S[b + at.PRESSURE_FACTOR * L + k]
             + max(S[b + at.DYNAMIC_FORCE * L + k], 0.0) * S[b + at.PER_FULL_FORCE * L + k]
         )
         per_demand = S[b + at.HERE_PER_DEMAND * L + k]
-        share = min(offered * per_demand, 1.0)
+        asked = max(S[b + at.FORCE_FACTOR * L + k], LEAST_FACTOR)
+        share = min(offered * per_demand / asked, 1.0)
         is_built = S[b + at.IS_BUILT_UP * L + k] > 0.0 or share >= BUILT_UP
         S[b + at.IS_BUILT_UP * L + k] = 1.0 if is_built else 0.0
         missing = h * (1.0 - share)

@@ -12,6 +12,7 @@ from pydantic_core import CoreSchema
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.scenario import library
 from railgrip.scenario.base import Model, Text, refuse
+from railgrip.scenario.brake_control import BrakeControlLayer
 from railgrip.scenario.describe import describe
 from railgrip.scenario.explain import problems_of
 from railgrip.scenario.fault import Fault
@@ -93,6 +94,10 @@ class Scenario(Model):
     rail: Rail = Field(default=Rail(), description="The rail's condition.")
     run: Run = Field(default=Run(), description="Speed, demand, step.")
     wsp: Wsp = Field(default=Wsp(), description="Wheel-slide protection.")
+    brake_control: BrakeControlLayer | None = Field(
+        default=None,
+        description="Friction estimate and deceleration control above it; absent: none.",
+    )
     fault: Annotated[tuple[Fault, ...], Field(max_length=1000)] = Field(
         default=(), description="What breaks during the run."
     )
