@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from railgrip.laboratory.inputs import FloatArray
 from railgrip.laboratory.pad_fit.data import Blocks
 from railgrip.laboratory.pad_fit.laws import Law
 from railgrip.laboratory.pad_fit.noise import Noise, Weights, noise_of, weights_of, whitener
 
+MOST_STEPS = 60
 ROUNDS = 3
 """How often noise and weights are estimated anew from the residuals."""
 
@@ -106,21 +106,37 @@ def residuals_of(law: Law, theta: FloatArray, blocks: Blocks) -> FloatArray:
 
 
 def minimise(law: Law, start: FloatArray, blocks: Blocks, white: FloatArray) -> FloatArray:
-    """Return the parameters that make the whitened residuals least."""
-    there = blocks.is_there.ravel()
+    """Return the parameters that make the whitened residuals least (Levenberg–Marquardt).
 
-    def residuals(theta: FloatArray) -> FloatArray:
-        return (white @ residuals_of(law, theta, blocks)[..., None]).ravel()[there]
+    Steps are cut at the bounds; a residual that bends where a break point passes a block makes
+    the sum of squares rough on the scale of single blocks, which damped steps walk over.
+    """
+    low, high = law.bounds()
+    theta, damping = start, 1e-3
+    missed = _whitened(law, theta, blocks, white)
+    for _ in range(MOST_STEPS):
+        columns = (white @ _columns(law, theta, blocks)).reshape(-1, len(theta))
+        normal, gradient = columns.T @ columns, columns.T @ missed
+        scale = np.diag(normal).copy() + 1e-12 * np.trace(normal)
+        while True:
+            step = np.linalg.solve(normal + damping * np.diag(scale), gradient)
+            trial = np.clip(theta + step, low, high)
+            tried = _whitened(law, trial, blocks, white)
+            gained = float(missed @ missed - tried @ tried)
+            if gained > 0.0 or damping > 1e6:
+                break
+            damping *= 8.0
+        if gained <= 0.0:
+            return theta
+        theta, missed = trial, tried
+        damping = max(damping / 5.0, 1e-9)
+        if gained < 1e-6:
+            return theta
+    return theta
 
-    def jacobian(theta: FloatArray) -> FloatArray:
-        columns = _columns(law, theta, blocks)
-        return -(white @ columns).reshape(-1, len(theta))[there]
 
-    done = least_squares(
-        residuals, start, jacobian, bounds=law.bounds(), x_scale="jac", xtol=1e-7, ftol=1e-9,
-        max_nfev=60,
-    )  # fmt: skip
-    return np.asarray(done.x)
+def _whitened(law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray) -> FloatArray:
+    return np.asarray((white @ residuals_of(law, theta, blocks)[..., None]).ravel())
 
 
 def _columns(law: Law, theta: FloatArray, blocks: Blocks) -> FloatArray:
@@ -139,7 +155,41 @@ def clustered(law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray) ->
     scaled = np.linalg.solve(np.eye(size) * (1 + 1e-9) - hat, residuals[..., None])[..., 0]
     scores = np.einsum("ibp,ib->ip", columns, scaled)
     share = (blocks.stops - 1) / blocks.stops
+    errors = np.sqrt(np.maximum(np.diag(share * bread @ (scores.T @ scores) @ bread), 0.0))
+    bread = _curved(law, theta, blocks, white, errors, bread)
     return np.asarray(share * bread @ (scores.T @ scores) @ bread)
+
+
+def _curved(
+    law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray, errors: FloatArray,
+    bread: FloatArray,
+) -> FloatArray:
+    """Return the inverse curvature of the sum of squares over the reach of the errors.
+
+    JᵀJ leaves out that a break point which moves past noisy blocks changes what they say. The
+    change of the gradient over one standard error either way does not.
+    """
+    low, high = law.bounds()
+    change = np.zeros((len(theta), len(theta)))
+    for k, error in enumerate(errors):
+        ends = [theta.copy(), theta.copy()]
+        ends[0][k] = max(theta[k] - error, low[k])
+        ends[1][k] = min(theta[k] + error, high[k])
+        below, above = (_gradient(law, end, blocks, white) for end in ends)
+        change[k] = (above - below) / (ends[1][k] - ends[0][k])
+    change = 0.5 * (change + change.T)
+    scale = np.sqrt(np.abs(np.diag(bread)))
+    values, vectors = np.linalg.eigh(change * scale[:, None] * scale[None, :])
+    if values.min() <= 0.02 * values.max():
+        return bread
+    inverse = vectors @ np.diag(1.0 / values) @ vectors.T
+    return np.asarray(inverse * scale[:, None] * scale[None, :])
+
+
+def _gradient(law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray) -> FloatArray:
+    columns = white @ _columns(law, theta, blocks)
+    residuals = white @ residuals_of(law, theta, blocks)[..., None]
+    return -np.einsum("ibp,ibq->p", columns, residuals)
 
 
 def independent(law: Law, theta: FloatArray, blocks: Blocks) -> FloatArray:

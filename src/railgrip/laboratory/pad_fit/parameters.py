@@ -1,4 +1,4 @@
-"""From the numbers of a fit to those of a pad: reference friction, break points, factors, slopes."""
+"""From the numbers of a fit to those of a pad: friction, break points, factors, slopes."""
 
 from __future__ import annotations
 

@@ -70,7 +70,7 @@ def product_law(
 
 ORGANIC_POINTS = {
     "temperature": [(150.0, 1.0), (350.0, 0.80)],
-    "speed": [(15.0, 1.0), (40.0, 0.88)],
+    "speed": [(20.0, 1.0), (42.0, 0.88)],
     "clamp_force": [(15e3, 1.08), (33e3, 0.944)],
 }
 """An organic pad's fading, as in the shipped pad; force and speed bend inside the programme."""
