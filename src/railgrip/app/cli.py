@@ -20,6 +20,7 @@ from railgrip.app.commands.check import check
 from railgrip.app.commands.compare import compare
 from railgrip.app.commands.contact import contact
 from railgrip.app.commands.demo import demo
+from railgrip.app.commands.identify import identify
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
 from railgrip.app.commands.run import run
@@ -42,7 +43,7 @@ app = App(
     default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
 )
-for command in (demo, run, compare, contact, check, tune, new, schema):
+for command in (demo, run, compare, contact, check, tune, identify, new, schema):
     app.command(command)
 app.command(list_names, name="list")
 

@@ -12,6 +12,9 @@ from railgrip.laboratory.pad_fit.laws import Law
 from railgrip.laboratory.pad_fit.noise import Noise, Weights, noise_of, weights_of, whitener
 
 MOST_STEPS = 60
+HALVINGS = 8
+LEAST_HALVED = 12
+"""Fewer stops cannot be halved and fitted."""
 ROUNDS = 3
 """How often noise and weights are estimated anew from the residuals."""
 
@@ -46,7 +49,9 @@ class Fit(NamedTuple):
     weights: Weights
 
 
-def fit_law(law: Law, blocks: Blocks, start: FloatArray, rounds: int = ROUNDS) -> Fit:
+def fit_law(
+    law: Law, blocks: Blocks, start: FloatArray, rounds: int = ROUNDS, *, intervals: bool = False
+) -> Fit:
     """Fit a law by generalised least squares, noise and outliers found on the way.
 
     Parameters
@@ -59,6 +64,8 @@ def fit_law(law: Law, blocks: Blocks, start: FloatArray, rounds: int = ROUNDS) -
         First guess.
     rounds : int
         How often noise and weights are estimated anew.
+    intervals : bool
+        Whether halves of the stops are fitted too, for the errors of break points; see `halved`.
 
     Returns
     -------
@@ -90,6 +97,8 @@ def fit_law(law: Law, blocks: Blocks, start: FloatArray, rounds: int = ROUNDS) -
         theta = minimise(law, theta, blocks, whitener(noise, weights, blocks))
     residuals = residuals_of(law, theta, blocks)
     covariance = clustered(law, theta, blocks, whitener(noise, weights, blocks))
+    if intervals and blocks.stops >= LEAST_HALVED:
+        covariance = halved(law, theta, blocks, whitener(noise, weights, blocks), covariance)
     naive = independent(law, theta, blocks)
     return Fit(law, theta, covariance, naive, residuals, noise, weights)
 
@@ -155,41 +164,30 @@ def clustered(law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray) ->
     scaled = np.linalg.solve(np.eye(size) * (1 + 1e-9) - hat, residuals[..., None])[..., 0]
     scores = np.einsum("ibp,ib->ip", columns, scaled)
     share = (blocks.stops - 1) / blocks.stops
-    errors = np.sqrt(np.maximum(np.diag(share * bread @ (scores.T @ scores) @ bread), 0.0))
-    bread = _curved(law, theta, blocks, white, errors, bread)
     return np.asarray(share * bread @ (scores.T @ scores) @ bread)
 
 
-def _curved(
-    law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray, errors: FloatArray,
-    bread: FloatArray,
+def halved(
+    law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray, covariance: FloatArray
 ) -> FloatArray:
-    """Return the inverse curvature of the sum of squares over the reach of the errors.
+    """Return the covariance, widened where fits to halves of the stops scatter more.
 
-    JᵀJ leaves out that a break point which moves past noisy blocks changes what they say. The
-    change of the gradient over one standard error either way does not.
+    A break point bends the sum of squares anew at every block it passes, so that its errors are
+    greater than slopes at the optimum tell. A half of the stops has twice the variance of all, half
+    of which it shares with them: θ_half − θ scatters as θ does.
     """
-    low, high = law.bounds()
-    change = np.zeros((len(theta), len(theta)))
-    for k, error in enumerate(errors):
-        ends = [theta.copy(), theta.copy()]
-        ends[0][k] = max(theta[k] - error, low[k])
-        ends[1][k] = min(theta[k] + error, high[k])
-        below, above = (_gradient(law, end, blocks, white) for end in ends)
-        change[k] = (above - below) / (ends[1][k] - ends[0][k])
-    change = 0.5 * (change + change.T)
-    scale = np.sqrt(np.abs(np.diag(bread)))
-    values, vectors = np.linalg.eigh(change * scale[:, None] * scale[None, :])
-    if values.min() <= 0.02 * values.max():
-        return bread
-    inverse = vectors @ np.diag(1.0 / values) @ vectors.T
-    return np.asarray(inverse * scale[:, None] * scale[None, :])
-
-
-def _gradient(law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray) -> FloatArray:
-    columns = white @ _columns(law, theta, blocks)
-    residuals = white @ residuals_of(law, theta, blocks)[..., None]
-    return -np.einsum("ibp,ibq->p", columns, residuals)
+    random = np.random.default_rng(blocks.stops)
+    moved = []
+    for _ in range(HALVINGS):
+        order = random.permutation(blocks.stops)
+        for half in np.array_split(order, 2):
+            some = np.zeros(blocks.stops, dtype=bool)
+            some[half] = True
+            moved.append(minimise(law, theta, blocks.of(some), white[some]) - theta)
+    scatter = np.mean(np.square(moved), axis=0)
+    variance = np.maximum(np.diag(covariance), 1e-300)
+    widening = np.sqrt(np.maximum(scatter / variance, 1.0))
+    return np.asarray(covariance * widening[:, None] * widening[None, :])
 
 
 def independent(law: Law, theta: FloatArray, blocks: Blocks) -> FloatArray:

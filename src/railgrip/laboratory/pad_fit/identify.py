@@ -175,7 +175,7 @@ def together(blocks: Blocks, plan: Plan) -> Identified:
     placed, more = _placed(names, blocks, plan)
     law = Product(placed, lags)
     start = _start(law, rough, blocks)
-    fit = fit_law(law, blocks, start)
+    fit = fit_law(law, blocks, start, intervals=True)
     fit, again = _straightened(fit, rough, blocks, plan)
     return identified(fit, blocks, plan, [*problems, *more, *again])
 
@@ -245,7 +245,7 @@ def _straightened(fit: Fit, rough: Fit, blocks: Blocks, plan: Plan) -> tuple[Fit
     if not problems:
         return fit, []
     law = Product(functions, law.lags)
-    return fit_law(law, blocks, _start(law, rough, blocks)), problems
+    return fit_law(law, blocks, _start(law, rough, blocks), intervals=True), problems
 
 
 def _half_width(fit: Fit, name: str, stops: int, plan: Plan) -> float:
