@@ -101,18 +101,16 @@ def _ticks(low: float, high: float) -> list[float]:
     return [float(k * step) for k in range(int(np.ceil(low / step)), int(high // step) + 1)]
 
 
-def _axes(
-    chart: Chart, x: tuple[float, float], y: tuple[float, float], place: object
-) -> str:
+def _axes(chart: Chart, x: tuple[float, float], y: tuple[float, float], place: object) -> str:
     assert callable(place)
     parts = []
     for value in _ticks(*x):
-        (px, _), = place([value], [y[0]])
+        ((px, _),) = place([value], [y[0]])
         parts.append(f'<line class="grid" x1="{px:.1f}" x2="{px:.1f}" y1="{TOP}" '
                      f'y2="{HEIGHT - BOTTOM}"/><text x="{px:.1f}" y="{HEIGHT - BOTTOM + 15}" '
                      f'text-anchor="middle">{value:g}</text>')  # fmt: skip
     for value in _ticks(*y):
-        (_, py), = place([x[0]], [value])
+        ((_, py),) = place([x[0]], [value])
         parts.append(f'<line class="grid" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{py:.1f}" '
                      f'y2="{py:.1f}"/><text x="{LEFT - 6}" y="{py + 4:.1f}" '
                      f'text-anchor="end">{value:.4g}</text>')  # fmt: skip

@@ -12,7 +12,7 @@ INFLUENCES = ("temperature", "speed", "clamp_force")
 """What pad friction depends on, in the order of the columns of all arrays."""
 
 UNITS = {"temperature": "°C", "speed": "m/s", "clamp_force": "N"}
-BLOCKS_PER_STOP = 48
+BLOCKS_PER_STOP = 32
 
 
 class PadStops(NamedTuple):

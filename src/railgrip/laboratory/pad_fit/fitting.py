@@ -12,7 +12,7 @@ from railgrip.laboratory.pad_fit.laws import Law
 from railgrip.laboratory.pad_fit.noise import Noise, Weights, noise_of, weights_of, whitener
 
 MOST_STEPS = 60
-HALVINGS = 8
+HALVINGS = 6
 LEAST_HALVED = 12
 """Fewer stops cannot be halved and fitted."""
 ROUNDS = 3
@@ -114,7 +114,9 @@ def residuals_of(law: Law, theta: FloatArray, blocks: Blocks) -> FloatArray:
     return np.where(blocks.is_there, blocks.log_friction - fitted, 0.0)
 
 
-def minimise(law: Law, start: FloatArray, blocks: Blocks, white: FloatArray) -> FloatArray:
+def minimise(
+    law: Law, start: FloatArray, blocks: Blocks, white: FloatArray, enough: float = 1e-6
+) -> FloatArray:
     """Return the parameters that make the whitened residuals least (Levenberg–Marquardt).
 
     Steps are cut at the bounds; a residual that bends where a break point passes a block makes
@@ -139,7 +141,7 @@ def minimise(law: Law, start: FloatArray, blocks: Blocks, white: FloatArray) -> 
             return theta
         theta, missed = trial, tried
         damping = max(damping / 5.0, 1e-9)
-        if gained < 1e-6:
+        if gained < enough:
             return theta
     return theta
 
@@ -183,7 +185,7 @@ def halved(
         for half in np.array_split(order, 2):
             some = np.zeros(blocks.stops, dtype=bool)
             some[half] = True
-            moved.append(minimise(law, theta, blocks.of(some), white[some]) - theta)
+            moved.append(minimise(law, theta, blocks.of(some), white[some], 0.02) - theta)
     scatter = np.mean(np.square(moved), axis=0)
     variance = np.maximum(np.diag(covariance), 1e-300)
     widening = np.sqrt(np.maximum(scatter / variance, 1.0))

@@ -83,7 +83,8 @@ class Placed(NamedTuple):
         free = np.cumsum(numbers[: self.shape.free_points])
         if self.shape.ends == "flat":
             return np.asarray(free)
-        return np.concatenate([[self.low], free, [self.high]])
+        room = 0.5 * LEAST_GAP * (self.high - self.low) * np.arange(len(free), 0, -1)
+        return np.concatenate([[self.low], np.minimum(free, self.high - room), [self.high]])
 
     def values(self, numbers: FloatArray) -> FloatArray:
         """Return the values at the points, the first being 1."""

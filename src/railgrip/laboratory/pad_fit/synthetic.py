@@ -38,10 +38,10 @@ class Programme(NamedTuple):
         Share of samples that lie off by up to 50 %, most of them in bursts.
     """
 
-    stops: int = 80
-    samples: int = 200
+    stops: int = 120
+    samples: int = 160
     speed: tuple[float, float] = (10.0, 55.0)
-    temperature: tuple[float, float] = (20.0, 320.0)
+    temperature: tuple[float, float] = (20.0, 250.0)
     clamp_force: tuple[float, float] = (8e3, 42e3)
     force_steps: int = 3
     disc_heat: float = 30e3
@@ -69,7 +69,7 @@ def product_law(
 
 
 ORGANIC_POINTS = {
-    "temperature": [(150.0, 1.0), (350.0, 0.80)],
+    "temperature": [(150.0, 1.0), (350.0, 0.75)],
     "speed": [(20.0, 1.0), (42.0, 0.88)],
     "clamp_force": [(15e3, 1.08), (33e3, 0.944)],
 }
