@@ -83,7 +83,7 @@ def chart_svg(chart: Chart) -> str:
 
 def _joined(*parts: ArrayLike) -> np.ndarray:
     found = np.concatenate([np.asarray(one, dtype=float).ravel() for one in parts])
-    return found[np.isfinite(found)]
+    return np.asarray(found[np.isfinite(found)])
 
 
 def _range(values: np.ndarray) -> tuple[float, float]:

@@ -1,9 +1,10 @@
-"""A measurement of a pad → stops in SI that the fit can use, and a sentence for what was left out."""
+"""A measurement of a pad → stops in SI for the fit, and a sentence for what was left out."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -159,7 +160,7 @@ def _stops(
     odd = odd_one_out([quantities for _, _, quantities in good], [label for label, _, _ in good])
     problems += odd.values()
     good = [one for k, one in enumerate(good) if k not in odd]
-    number = np.concatenate([np.full(len(t), k) for k, (_, t, _) in enumerate(good)] or [[]])
+    number = np.concatenate([np.full(len(t), k) for k, (_, t, _) in enumerate(good)] or [np.empty(0)])
     flat = [np.concatenate([t for _, t, _ in good] or [np.empty(0)])]
     for name in ("friction", "temperature", "speed", "clamp_force"):
         flat.append(np.concatenate([q[name] for _, _, q in good] or [np.empty(0)]))
@@ -188,7 +189,7 @@ def _pieces(
     edges = [0, *(np.flatnonzero(cuts) + 1).tolist(), len(time)]
     named: dict[str, int] = {}
     pieces = []
-    for k, (begin, end) in enumerate(zip(edges, edges[1:], strict=False)):
+    for k, (begin, end) in enumerate(pairwise(edges)):
         label = f"stop {k + 1}" if number is None else f"stop {number[begin]:g}"
         named[label] = named.get(label, 0) + 1
         shown = label if named[label] == 1 else f"{label} part {named[label]}"

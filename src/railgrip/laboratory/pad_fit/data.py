@@ -158,5 +158,5 @@ def _slopes(time: FloatArray, values: FloatArray, is_there: np.ndarray) -> Float
     for row, (t, y, there) in enumerate(zip(time, values, is_there, strict=True)):
         n = int(there.sum())
         if n >= 2:
-            found[row, :n] = np.gradient(y[:n], t[:n], edge_order=min(2, n - 1))
+            found[row, :n] = np.gradient(y[:n], t[:n], edge_order=2 if n > 2 else 1)
     return found

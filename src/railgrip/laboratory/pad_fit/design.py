@@ -88,7 +88,8 @@ def _moves_with_others(name: str, among: list[str], blocks: Blocks) -> Problem |
 def _own_share(target: FloatArray, others: list[FloatArray]) -> float:
     columns = [np.ones((len(target), 1))]
     for values in others:
-        knots = np.linspace(*np.quantile(values, [0.002, 0.998]), 12)
+        low, high = np.quantile(values, [0.002, 0.998])
+        knots = np.linspace(float(low), float(high), 12)
         columns.append(hats(knots, values)[:, 1:])
     design = np.concatenate(columns, axis=1)
     fitted = design @ np.linalg.lstsq(design, target, rcond=None)[0]

@@ -124,30 +124,36 @@ def minimise(
     """
     low, high = law.bounds()
     theta, damping = start, 1e-3
-    missed = _whitened(law, theta, blocks, white)
+    missed, columns = _whitened(law, theta, blocks, white)
     for _ in range(MOST_STEPS):
-        columns = (white @ _columns(law, theta, blocks)).reshape(-1, len(theta))
-        normal, gradient = columns.T @ columns, columns.T @ missed
+        whitened = (white @ columns).reshape(-1, len(theta))
+        normal, gradient = whitened.T @ whitened, whitened.T @ missed
         scale = np.diag(normal).copy() + 1e-12 * np.trace(normal)
         while True:
             step = np.linalg.solve(normal + damping * np.diag(scale), gradient)
             trial = np.clip(theta + step, low, high)
-            tried = _whitened(law, trial, blocks, white)
+            tried, others = _whitened(law, trial, blocks, white)
             gained = float(missed @ missed - tried @ tried)
             if gained > 0.0 or damping > 1e6:
                 break
             damping *= 8.0
         if gained <= 0.0:
             return theta
-        theta, missed = trial, tried
+        theta, missed, columns = trial, tried, others
         damping = max(damping / 5.0, 1e-9)
         if gained < enough:
             return theta
     return theta
 
 
-def _whitened(law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray) -> FloatArray:
-    return np.asarray((white @ residuals_of(law, theta, blocks)[..., None]).ravel())
+def _whitened(
+    law: Law, theta: FloatArray, blocks: Blocks, white: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return whitened residuals (all blocks), and the columns of the Jacobian, not whitened."""
+    fitted, columns = law.log_friction(theta, blocks)
+    residuals = np.where(blocks.is_there, blocks.log_friction - fitted, 0.0)
+    # the whitener is 0 in the padding, whatever stands there
+    return (white @ residuals[..., None]).ravel(), columns
 
 
 def _columns(law: Law, theta: FloatArray, blocks: Blocks) -> FloatArray:

@@ -101,7 +101,7 @@ def weights_of(residuals: FloatArray, noise: Noise, blocks: Blocks) -> Weights:
 
 
 def _biweight(z: FloatArray) -> FloatArray:
-    return np.maximum(np.maximum(1.0 - (z / OUTLIER) ** 2, 0.0) ** 2, LEAST_WEIGHT)
+    return np.asarray(np.maximum(np.maximum(1.0 - (z / OUTLIER) ** 2, 0.0) ** 2, LEAST_WEIGHT))
 
 
 def _medians(values: FloatArray, is_there: np.ndarray) -> FloatArray:

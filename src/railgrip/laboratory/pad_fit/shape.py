@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -93,7 +94,7 @@ class Placed(NamedTuple):
     def numbers(self, places: FloatArray, values: FloatArray) -> FloatArray:
         """Return the parameters of a curve through points; the reverse of the two above."""
         free = places if self.shape.ends == "flat" else places[1:-1]
-        gaps = [] if self.shape.at else np.diff(free, prepend=0.0)
+        gaps = np.empty(0) if self.shape.at else np.diff(free, prepend=0.0)
         return np.concatenate([gaps, values[1:] / values[0]])
 
     def bounds(self) -> tuple[FloatArray, FloatArray]:
@@ -117,21 +118,17 @@ def hats(places: FloatArray, x: FloatArray) -> FloatArray:
     >>> hats(np.array([150.0, 350.0]), np.array([100.0, 200.0])).tolist()
     [[1.0, 0.0], [0.75, 0.25]]
     """
-    inside = np.clip(x, places[0], places[-1])
-    cell = np.clip(np.searchsorted(places, inside, side="right") - 1, 0, len(places) - 2)
-    share = (inside - places[cell]) / np.diff(places)[cell]
-    cells = np.arange(len(places))
-    return np.asarray(
-        np.where(cells == cell[..., None], 1.0 - share[..., None], 0.0)
-        + np.where(cells == cell[..., None] + 1, share[..., None], 0.0)
-    )
+    ramps = [np.clip((x - a) / (b - a), 0.0, 1.0) for a, b in pairwise(places.tolist())]
+    inner = [before - after for before, after in pairwise(ramps)]
+    return np.stack([1.0 - ramps[0], *inner, ramps[-1]], axis=-1)
 
 
 def rise(places: FloatArray, values: FloatArray, x: FloatArray) -> FloatArray:
     """Return the slope of the curve at x, 0 outside its points."""
-    cell = np.clip(np.searchsorted(places, x, side="right") - 1, 0, len(places) - 2)
-    inside = (x >= places[0]) & (x < places[-1])
-    return np.where(inside, (np.diff(values) / np.diff(places))[cell], 0.0)
+    slopes = (np.diff(values) / np.diff(places)).tolist()
+    cells = pairwise(places.tolist())
+    pieces = [s * ((x >= a) & (x < b)) for s, (a, b) in zip(slopes, cells, strict=True)]
+    return np.asarray(sum(pieces))
 
 
 def log_curve(placed: Placed, numbers: FloatArray, x: FloatArray) -> tuple[FloatArray, ...]:
@@ -165,5 +162,7 @@ def log_curve(placed: Placed, numbers: FloatArray, x: FloatArray) -> tuple[Float
     if free:
         moves = -slope[..., None] * shares[..., begin : begin + free]
         # a gap moves its own point and all that follow
-        columns.insert(0, np.flip(np.cumsum(np.flip(moves, -1), axis=-1), -1))
+        for k in range(free - 2, -1, -1):
+            moves[..., k] += moves[..., k + 1]
+        columns.insert(0, moves)
     return np.log(h), np.concatenate(columns, axis=-1) / h[..., None], slope / h
