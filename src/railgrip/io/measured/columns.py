@@ -209,6 +209,8 @@ def _tdms_time(
 ) -> FloatArray:
     """Return the clock of a channel: its own waveform, or the time channel."""
     if "wf_increment" in channel.properties:
-        return np.asarray(channel.time_track()) / wanted.time.si()[0]
+        begin = float(channel.properties.get("wf_start_offset", 0.0))
+        ticks = begin + float(channel.properties["wf_increment"]) * np.arange(count)
+        return np.asarray(ticks / wanted.time.si()[0])
     _refuse_missing("time", [wanted.time.column], list(channels))
     return np.asarray(channels[wanted.time.column][:count], dtype=float)

@@ -24,6 +24,8 @@ MIX_UPS = {
 }
 """Factors by which one stop differs from the others if its unit is another."""
 KELVIN = 273.15
+FASTEST = 55.0
+"""Rubbing speed of a train at 360 km/h, about [m/s]."""
 
 
 def whole_file_problems(signals: Signals) -> list[Problem]:
@@ -52,7 +54,7 @@ def what_is_wrong(
             allowed = f"{cutting.least_force:g} N or more"
             return Problem(label, "has no braking", f"at most {greatest:.4g} N", allowed)
         # while the force builds up, torque and force do not belong to the same moment
-        kept &= np.abs(force) > 0.3 * np.nanquantile(np.abs(force), 0.9)
+        kept &= np.abs(force) > 0.15 * np.nanquantile(np.abs(force), 0.9)
     if np.isfinite(speed).any():
         kept &= np.abs(speed) >= cutting.least_speed
     if kept.sum() < cutting.least_samples:
@@ -99,11 +101,17 @@ def odd_one_out(stops: list[Signals], labels: list[str]) -> dict[int, Problem]:
     for name in stops[0] if len(stops) >= 3 else ():
         middles = np.array([float(np.median(one[name])) for one in stops])
         moves = np.array([float(np.ptp(one[name])) for one in stops])
+        highs = np.array([float(np.max(one[name])) for one in stops])
         if not np.isfinite(middles).all():
             continue
         for k, middle in enumerate(middles):
             others = np.delete(middles, k)
             problem = _other_unit(labels[k], name, middle, others)
+            if name == "speed" and highs[k] < FASTEST:
+                problem = None  # it may well be a stop from a higher speed
+            if name == "temperature":
+                least = float(np.min(stops[k][name]))
+                problem = _kelvin(labels[k], least, middle, others, np.delete(highs, k))
             still = name == "temperature" and moves[k] == 0.0 < np.median(moves)
             if problem is None and still:
                 problem = Problem(labels[k], "the temperature stands still", f"{middle:.4g} °C")
@@ -117,13 +125,22 @@ def _other_unit(label: str, name: str, middle: float, others: FloatArray) -> Pro
     unit = PLAUSIBLE[name][2]
     words = name.replace("_", " ")
     got = f"{middle:.4g} against {low:.4g} to {high:.4g}"
-    if low / 2.5 <= middle <= high * 2.5 and name != "temperature":
+    if low / 2.5 <= middle <= high * 2.5:
         return None
     for factor, other in MIX_UPS.get(name, ()):
         if low / 2.0 <= middle * factor <= high * 2.0:
             what = f"the {words} looks like {other} where the others have {unit or 'plain numbers'}"
             return Problem(label, what, got, cure="convert it, or leave the stop out")
-    if name == "temperature" and middle > high + 100.0 and low - 30 <= middle - KELVIN <= high + 30:
-        what = "the temperature looks like K where the others have °C"
-        return Problem(label, what, got, cure="convert it, or leave the stop out")
     return None
+
+
+def _kelvin(
+    label: str, least: float, middle: float, others: FloatArray, highs: FloatArray
+) -> Problem | None:
+    """Return a problem if a stop lies above all others, and among them once 273.15 is taken off."""
+    low, high = float(others.min()), float(others.max())
+    if least <= highs.max() or not low - 30.0 <= middle - KELVIN <= high + 30.0:
+        return None
+    what = "the temperature looks like K where the others have °C"
+    got = f"{middle:.4g} against {low:.4g} to {high:.4g}"
+    return Problem(label, what, got, cure="convert it, or leave the stop out")
