@@ -19,7 +19,7 @@ from _common import best_of, options, report
 from railgrip.io.measured.pad_channels import read_pad_channels
 from railgrip.io.measured.pad_reading import read_pad_stops
 from railgrip.laboratory.pad_fit import identify_pad
-from railgrip.laboratory.pad_fit.data import INFLUENCES, PadStops
+from railgrip.laboratory.pad_fit.data import PadStops
 from railgrip.laboratory.pad_fit.shape import hats
 from railgrip.laboratory.pad_fit.synthetic import Programme, organic, synthetic_stops
 

@@ -17,7 +17,9 @@ NAMES = ("stop", "time", "mu", "T", "v", "F")
 
 
 def table(stops: int = 6) -> dict[str, np.ndarray]:
-    made = synthetic_stops(organic, Programme(stops=stops, samples=60, outliers=0.0, clamp_force=(20e3, 40e3)), seed=3)
+    made = synthetic_stops(
+        organic, Programme(stops=stops, samples=60, outliers=0.0, clamp_force=(20e3, 40e3)), seed=3
+    )
     columns = dict(zip(NAMES, map(np.array, made), strict=True))
     columns["time"] = columns["time"] + 1000.0 * columns["stop"]
     return columns

@@ -197,10 +197,7 @@ def read_pad_channels(source: str | os.PathLike[str] | Mapping[str, Any]) -> Pad
     (0.01, 0.0)
     """
     where = "" if isinstance(source, Mapping) else printable(str(source), 300)
-    if isinstance(source, Mapping):
-        table = dict(source)
-    else:
-        table = parse(read_text(Path(source)), where)
+    table = dict(source) if isinstance(source, Mapping) else parse(read_text(Path(source)), where)
     try:
         return PadChannelMap.model_validate(table)
     except ValidationError as error:

@@ -155,12 +155,14 @@ def _stops(
         if isinstance(reason, Problem):
             problems.append(reason)
             continue
-        good.append((label, *_resampled(wanted, time[piece][reason],
-                                        {n: v[reason] for n, v in quantities.items()})))  # fmt: skip
+        counted = {name: values[reason] for name, values in quantities.items()}
+        good.append((label, *_resampled(wanted, time[piece][reason], counted)))
     odd = odd_one_out([quantities for _, _, quantities in good], [label for label, _, _ in good])
     problems += odd.values()
     good = [one for k, one in enumerate(good) if k not in odd]
-    number = np.concatenate([np.full(len(t), k) for k, (_, t, _) in enumerate(good)] or [np.empty(0)])
+    number = np.concatenate(
+        [np.full(len(t), k) for k, (_, t, _) in enumerate(good)] or [np.empty(0)]
+    )
     flat = [np.concatenate([t for _, t, _ in good] or [np.empty(0)])]
     for name in ("friction", "temperature", "speed", "clamp_force"):
         flat.append(np.concatenate([q[name] for _, _, q in good] or [np.empty(0)]))

@@ -13,6 +13,8 @@ INFLUENCES = ("temperature", "speed", "clamp_force")
 
 UNITS = {"temperature": "°C", "speed": "m/s", "clamp_force": "N"}
 BLOCKS_PER_STOP = 32
+MOST_SCATTER = 0.03
+"""Of the clamp force within a block, in shares of its mean."""
 
 
 class PadStops(NamedTuple):
@@ -135,7 +137,25 @@ def blocks_of(stops: PadStops, per_stop: int = BLOCKS_PER_STOP) -> Blocks:
     slopes = np.stack([_slopes(time, one, is_there) for one in values])
     steps = np.diff(stops.time)[np.diff(stops.stop) == 0]
     spacing = float(np.median(steps)) if len(steps) else 0.0
-    return Blocks(is_there, time, middle, values, slopes, spacing)
+    force = values[INFLUENCES.index("clamp_force")]
+    scatter = mean((stops.clamp_force - force.ravel()[place]) ** 2)
+    # a block over a step of the force has the friction of neither side
+    mixed = scatter > (MOST_SCATTER * force) ** 2
+    return packed(Blocks(is_there & ~mixed, time, middle, values, slopes, spacing))
+
+
+def packed(blocks: Blocks) -> Blocks:
+    """Return the blocks with those that are there first in each stop."""
+    order = np.argsort(~blocks.is_there, axis=1, kind="stable")
+    rows = np.arange(blocks.stops)[:, None]
+    return Blocks(
+        blocks.is_there[rows, order],
+        blocks.time[rows, order],
+        blocks.log_friction[rows, order],
+        blocks.values[:, rows, order],
+        blocks.slopes[:, rows, order],
+        blocks.spacing,
+    )
 
 
 def _mean_of_middle_half(values: FloatArray, place: np.ndarray, samples: np.ndarray) -> FloatArray:

@@ -7,7 +7,7 @@ from scipy.linalg import block_diag
 
 from railgrip.core.errors import Problem
 from railgrip.laboratory.inputs import FloatArray
-from railgrip.laboratory.pad_fit.data import INFLUENCES, Blocks
+from railgrip.laboratory.pad_fit.data import INFLUENCES, Blocks, packed
 from railgrip.laboratory.pad_fit.fitting import Fit, fit_law, residuals_of
 from railgrip.laboratory.pad_fit.identify import Identified, Plan, identified, together
 from railgrip.laboratory.pad_fit.laws import Product
@@ -34,13 +34,13 @@ def one_at_a_time(blocks: Blocks, plan: Plan) -> Identified:
             problems.append(Problem(name, what, f"{near.sum()} blocks", f"{LEAST_BLOCKS}", cure))
             continue
         alone = Plan({name: plan.shapes[name]}, plan.reference, plan.lags)
-        some = _packed(blocks._replace(is_there=near).of(kept))
+        some = packed(blocks._replace(is_there=near).of(kept))
         found = together(some, alone)
         problems += found.problems
         if name in found.points:
             parts[name] = (found.fit, some)
             nearby |= near
-    fit = _joined(parts, _packed(blocks._replace(is_there=nearby).of(nearby.sum(axis=1) > 1))
+    fit = _joined(parts, packed(blocks._replace(is_there=nearby).of(nearby.sum(axis=1) > 1))
                   if parts else blocks, plan)  # fmt: skip
     whole = fit._replace(residuals=residuals_of(fit.law, fit.theta, blocks))
     return identified(whole, blocks, plan, problems)
@@ -54,16 +54,6 @@ def _near(blocks: Blocks, others: list[str], plan: Plan) -> np.ndarray:
             reach = plan.nearness * abs(plan.reference[name])
             near &= np.abs(values - plan.reference[name]) <= reach
     return near
-
-
-def _packed(blocks: Blocks) -> Blocks:
-    """Return the blocks with those that are there first in each stop."""
-    order = np.argsort(~blocks.is_there, axis=1, kind="stable")
-    rows = np.arange(blocks.stops)[:, None]
-    return Blocks(
-        blocks.is_there[rows, order], blocks.time[rows, order], blocks.log_friction[rows, order],
-        blocks.values[:, rows, order], blocks.slopes[:, rows, order], blocks.spacing,
-    )  # fmt: skip
 
 
 def _joined(parts: dict[str, tuple[Fit, Blocks]], near: Blocks, plan: Plan) -> Fit:
