@@ -2,9 +2,9 @@
 A pad found in measured stops
 =============================
 
-Eighty stops of a known pad, measured badly: noise of 3 % that is correlated within a stop, an offset of
-3 % per stop, a temperature sensor that lags by 2 s, outliers. The line is what identification finds,
-the dashes are the truth.
+Eighty stops of a known pad, measured badly: noise of 3 % that is correlated within a stop, an
+offset of 3 % per stop, a temperature sensor that lags by 2 s, outliers. The line is what
+identification finds, the dashes are the truth.
 """
 
 # %%
@@ -39,8 +39,8 @@ panels[0].set_ylabel("Factor, 1 at the reference")
 panels[0].legend()
 
 # %%
-# Nowhere do the functions miss the truth by more than 0.02. The interval of the reference friction is
-# about twice as wide as one that ignores how samples of a stop hang together:
+# Nowhere do the functions miss the truth by more than 0.02. The interval of the reference friction
+# is about twice as wide as one that ignores how samples of a stop hang together:
 
 clustered, naive = found.parameters[0], found.naive[0]
 print(f"{clustered.value:.4f}: {clustered.low:.4f} to {clustered.high:.4f}")

@@ -142,7 +142,8 @@ def _write_residuals(result: Identification, path: Path) -> None:
         writer.writerow(heads)
         for k, label in enumerate(result.measured.labels):
             for j in np.flatnonzero(blocks.is_there[k]):
-                row = [blocks.time[k, j], *blocks.values[:, k, j], np.exp(blocks.log_friction[k, j]),
-                       np.exp(fitted[k, j]), blocks.log_friction[k, j] - fitted[k, j],
-                       found.fit.weights.block[k, j] * found.fit.weights.stop[k]]  # fmt: skip
+                log_friction, log_fitted = blocks.log_friction[k, j], fitted[k, j]
+                weight = found.fit.weights.block[k, j] * found.fit.weights.stop[k]
+                row = [blocks.time[k, j], *blocks.values[:, k, j], np.exp(log_friction),
+                       np.exp(log_fitted), log_friction - log_fitted, weight]  # fmt: skip
                 writer.writerow([label, *(f"{x:.7g}" if np.isfinite(x) else "" for x in row)])
