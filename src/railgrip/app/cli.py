@@ -22,6 +22,7 @@ from railgrip.app.commands.compare import compare
 from railgrip.app.commands.contact import contact
 from railgrip.app.commands.demo import demo
 from railgrip.app.commands.etcs import etcs
+from railgrip.app.commands.identify import identify
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
 from railgrip.app.commands.qualify import qualify
@@ -45,7 +46,7 @@ app = App(
     default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
 )
-for command in (demo, run, compare, contact, check, tune, qualify, new, schema, etcs):
+for command in (demo, run, compare, contact, check, tune, qualify, new, schema, etcs, identify):
     app.command(command)
 app.command(list_names, name="list")
 campaign = App(name="campaign", help="Many runs: how surely, how far, how often.")
