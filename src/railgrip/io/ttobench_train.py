@@ -42,7 +42,8 @@ def read_ttobench_train(path: str | os.PathLike[str]) -> PointTrain:
     Returns
     -------
     train : PointTrain
-        Efficiencies count between DC link and wheel.
+        Efficiencies count between DC link and wheel. Speed limits count at the front, as results
+        published for these files do (``rear_clears = false``); change it for a real timetable.
 
     Raises
     ------
@@ -70,6 +71,7 @@ def read_ttobench_train(path: str | os.PathLike[str]) -> PointTrain:
         "mass": file.scalar("mass"),
         "rotating": rotating - 1.0 if rotating >= 1.0 else rotating,
         "length": file.scalar("length", 0.0),
+        "rear_clears": False,
         "max_speed": file.scalar("max speed"),
         "resistance": {
             "constant": file.scalar("rolling resistance r0"),

@@ -12,7 +12,7 @@ from railgrip.scenario.base import Model, Text, refuse
 from railgrip.scenario.line import Line, LineStop
 from railgrip.scenario.point_train import PointTrain
 from railgrip.scenario.reference import Reference
-from railgrip.scenario.units import Acceleration, Dimensionless, Length, Speed, Time
+from railgrip.scenario.units import Acceleration, Dimensionless, Speed, Time
 
 
 class Journey(Model):

@@ -131,6 +131,11 @@ class PointTrain(Model):
     mass: Mass = Field(gt=0, le=1e8, description="With its load.")
     rotating: Dimensionless = Field(default=0.06, ge=0, le=1, description="Rotating mass/mass.")
     length: Length = Field(default=0.0, ge=0, le=5000, description="0: a point.")
+    rear_clears: bool = Field(
+        default=True,
+        strict=True,
+        description="Whether a higher limit waits until the rear has left the lower one.",
+    )
     max_speed: Speed = Field(gt=0, le=600 / 3.6, description="Of the train itself.")
     resistance: Resistance = Field(default=Resistance(), description="On the open line.")
     tunnel_resistance: tuple[TunnelResistance, ...] = Field(

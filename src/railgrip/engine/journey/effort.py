@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from railgrip.scenario.point_train import Effort, EfficiencyMap, Regeneration
+from railgrip.scenario.point_train import EfficiencyMap, Effort, Regeneration
 
 Array = NDArray[np.float64]
 

@@ -7,7 +7,6 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from railgrip.core.constants import GRAVITY
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
@@ -95,7 +94,8 @@ def limits(journey: Journey) -> list[tuple[float, float]]:
 
     A higher limit holds for the front once the rear has left the lower one.
     """
-    top, length = journey.train.max_speed, journey.train.length
+    train = journey.train
+    top, length = train.max_speed, train.length if train.rear_clears else 0.0
     points = [(point.at, point.value) for point in journey.line.speed_limit]
     if length > 0.0:
         ends = [at for at, _ in points[1:]] + [journey.line.length]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from railgrip.engine.journey.forces import (
-    effort_at,
     efficiency,
+    effort_at,
     piece_at,
     resistance,
     speed_of,
