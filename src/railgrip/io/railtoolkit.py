@@ -20,8 +20,10 @@ _PER_MILLE = 9.81e-3
 _WIND = 15 / 3.6
 """Head wind that the air resistance counts in, m/s."""
 _HUNDRED = 100 / 3.6
-_BRAKING = 0.4253
-"""Deceleration where a file names none, m/s²: that of the published examples."""
+_BRAKING = {False: 0.225, True: 0.375}
+"""Deceleration of freight and passenger trains where a file names none, m/s²."""
+_PASSENGER = ("passenger", "multiple unit")
+_PULLING = ("traction unit", "multiple unit")
 
 
 def read_railtoolkit_train(
@@ -52,14 +54,16 @@ def read_railtoolkit_train(
 
     Notes
     -----
-    R = g/1000 [base m_t + rolling (m − m_t) + air m ((v + 15 km/h)/100 km/h)²] with the empty
-    masses m and the mass on driven axles m_t of each vehicle; a vehicle without traction has no
-    m_t, and its base resistance counts for all of it. Rotating masses are those of the vehicles,
-    weighted by their loaded masses.
+    With coefficients in ‰, the mass m_t on driven axles, and V = v/(100 km/h), W = 15 km/h/(100
+    km/h): traction and multiple units g/1000 [base m_t + rolling (m − m_t) + air m (V + W)²] with
+    their empty mass m; passenger coaches g/1000 m [base + rolling V + air (V + W)²] and freight
+    wagons g/1000 m [base + air V²] with their loaded mass (formulas of Wende, Sauthoff, Strahl).
+    Rotating masses are weighted by the empty masses.
 
     References
     ----------
     .. [1] railtoolkit, TrainRuns.jl and rolling-stock-data, schema 2022.05.
+    .. [2] D. Wende, "Fahrdynamik des Schienenverkehrs", Teubner 2003, pp. 151–153.
 
     Examples
     --------
@@ -95,17 +99,27 @@ def _train(file: Path, title: str, cars: list[dict[str, Any]]) -> dict[str, Any]
             _refuse(file, f"vehicle {car.get('id')}.{key}", "must be a number", got=repr(value))
         return float(value)
 
-    mass = constant = air = loaded = turning = 0.0
+    is_passenger = any(car.get("vehicle_type") in _PASSENGER for car in cars)
+    mass = loaded = turning = constant = linear = steep = 0.0
     for car in cars:
         empty = 1e3 * number(car, "mass")
-        driven = 1e3 * number(car, "mass_traction", 0.0)
         full = empty + 1e3 * number(car, "load_limit", 0.0)
-        base, rolling = number(car, "base_resistance"), number(car, "rolling_resistance", 0.0)
-        constant += base * (driven or empty) + rolling * (empty - driven if driven else 0.0)
-        air += number(car, "air_resistance", 0.0) * empty
+        base, rolling = number(car, "base_resistance", 0.0), number(car, "rolling_resistance", 0.0)
+        air = number(car, "air_resistance", 0.0) / _HUNDRED**2
+        if car.get("vehicle_type") in _PULLING:
+            driven = 1e3 * number(car, "mass_traction", empty / 1e3)
+            constant += base * driven + rolling * (empty - driven) + air * empty * _WIND**2
+            linear += 2.0 * air * empty * _WIND
+            steep += air * empty
+        elif is_passenger:
+            constant += (base + air * _WIND**2) * full
+            linear += (rolling / _HUNDRED + 2.0 * air * _WIND) * full
+            steep += air * full
+        else:
+            constant += base * full
+            steep += air * full
         mass, loaded = mass + empty, loaded + full
-        turning += (number(car, "rotation_mass", 1.06) - 1.0) * full
-    steep = _PER_MILLE * air / _HUNDRED**2
+        turning += (number(car, "rotation_mass", 1.06) - 1.0) * empty
     efforts = Counter(id(car) for car in cars if car.get("tractive_effort"))
     pulling = {id(car): car for car in cars if car.get("tractive_effort")}
     if len(pulling) != 1:
@@ -119,19 +133,19 @@ def _train(file: Path, title: str, cars: list[dict[str, Any]]) -> dict[str, Any]
         "title": title or str(engine.get("name", "")),
         "source": "railtoolkit, schema 2022.05",
         "mass": loaded,
-        "rotating": turning / loaded,
+        "rotating": turning / mass,
         "length": sum(number(car, "length", 0.0) for car in cars),
         "max_speed": min(number(car, "speed_limit") for car in cars) / 3.6,
         "resistance": {
-            "constant": _PER_MILLE * constant + steep * _WIND**2,
-            "linear": 2.0 * steep * _WIND,
-            "quadratic": steep,
+            "constant": _PER_MILLE * constant,
+            "linear": _PER_MILLE * linear,
+            "quadratic": _PER_MILLE * steep,
         },
         "effort": {
             "table": [{"speed": v / 3.6, "force": efforts[key] * force} for v, force in rows],
             "between": "held",
         },
-        "max_deceleration": min(braking, default=_BRAKING),
+        "max_deceleration": min(braking, default=_BRAKING[is_passenger]),
     }
 
 
