@@ -20,6 +20,8 @@ from railgrip.app.commands.check import check
 from railgrip.app.commands.compare import compare
 from railgrip.app.commands.contact import contact
 from railgrip.app.commands.demo import demo
+from railgrip.app.commands.drive import drive
+from railgrip.app.commands.import_file import import_file
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
 from railgrip.app.commands.run import run
@@ -45,6 +47,8 @@ app = App(
 for command in (demo, run, compare, contact, check, tune, new, schema):
     app.command(command)
 app.command(list_names, name="list")
+app.command(drive)
+app.command(import_file, name="import")
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:

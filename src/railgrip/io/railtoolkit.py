@@ -6,7 +6,7 @@ import os
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.io.checked import checked
@@ -241,5 +241,5 @@ def _vehicles(document: dict[str, Any], file: Path) -> dict[str, dict[str, Any]]
     return {str(car.get("id")): car for car in cars}
 
 
-def _refuse(file: Path, where: str, what: str, **more: str) -> Any:
+def _refuse(file: Path, where: str, what: str, **more: str) -> NoReturn:
     raise RailgripError(Problem(f"{file}: {where}" if where else str(file), what, **more))

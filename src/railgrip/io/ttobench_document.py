@@ -128,14 +128,14 @@ class Document:
         if not isinstance(row, list) or len(row) != len(scales):
             self.refuse(where, f"must have {len(scales)} entries", got=repr(row))
         numbers = [self._number(where, value) for value in row]
-        if not math.isfinite(numbers[0]) or (None in row and "timing" not in where):
+        if not math.isfinite(numbers[0]):
             self.refuse(where, "must have a finite position", got=repr(row))
         return tuple(a * b for a, b in zip(numbers, scales, strict=True))
 
     def _number(self, where: str, value: Any) -> float:
         if value == "infinity":
             return math.inf
-        if value is None:
+        if value is None and where.startswith("timing points"):
             return math.nan
         if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > 1e9:
             self.refuse(where, "must hold numbers", got=repr(value))

@@ -5,6 +5,7 @@ power hold at both ends of each interval. It shares no code with the method that
 and train come from the source files, read here by themselves.
 """
 
+import itertools
 import json
 
 import numpy as np
@@ -60,7 +61,7 @@ def solve(train, line, begin, end, time=None, step=20.0, final=1.0):
     edges = [begin, *marks, end]
     parts = [
         np.linspace(a, b, max(1, int(np.ceil((b - a) / step))) + 1)[:-1]
-        for a, b in zip(edges, edges[1:], strict=False)
+        for a, b in itertools.pairwise(edges)
     ]
     near = np.array([0.5, 1.0, 2.0, 3.5, 5.5, 8.0, 11.0, 15.0])
     places = np.unique(np.concatenate([*parts, [end], begin + near, end - near]))

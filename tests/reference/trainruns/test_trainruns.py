@@ -1,7 +1,8 @@
 """Running times of TrainRuns.jl's examples.
 
 The three "local" times refined to 0.5 m are 393.37, 397.25 and 525.02 s (tolerance 0.02 %); those
-published with 20 m steps, 391.62, 395.52 and 523.31 s, are shorter by what such a step costs. Sources: railtoolkit/TrainRuns.jl, test/snapshots/default (ISC).
+published with 20 m steps, 391.62, 395.52 and 523.31 s, are shorter by what such a step costs.
+Source: railtoolkit/TrainRuns.jl, test/snapshots/default (ISC).
 """
 
 import numpy as np

@@ -53,7 +53,7 @@ def conditions(grid: Any, i: int, z: Any, motor: float, friction: float, work: A
     a = (z[i + 1] - z[i]) * steep
     half_r = 0.5 * (0.5 * limits[1] / speed + grid.drag[i])
     bend_r = -0.25 * limits[1] / (square * speed)
-    p = a + resistance_at(grid, i, square) + motor + friction
+    p: float = a + resistance_at(grid, i, square) + motor + friction
     by_0, by_1 = half_r - steep, half_r + steep
     effort = limit_at(grid.effort, speed, work.slopes)
     half_e, bend_e = 0.5 * work.slopes[0], work.slopes[1]

@@ -17,7 +17,7 @@ def open_force(pieces: Any, most: float, speed: float) -> float:
     if speed <= 0.0:
         return most
     i = piece_at(pieces, speed)
-    force = pieces[i, 1] + pieces[i, 2] * speed + pieces[i, 3] / speed
+    force: float = pieces[i, 1] + pieces[i, 2] * speed + pieces[i, 3] / speed
     return min(max(force, 0.0), most)
 
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from railgrip.core.constants import GRAVITY
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.journey.effort import brake_pieces, pieces_of
 from railgrip.engine.journey.forces import UNLIMITED
 from railgrip.engine.journey.profile import Sections, limits
-from railgrip.core.constants import GRAVITY
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
@@ -59,8 +60,7 @@ def nodes(journey: Journey, begin: float, end: float, step: float | None = None)
     marks |= {x for tunnel in journey.line.tunnel for x in (tunnel.begin, tunnel.end)}
     edges = [begin, *sorted(mark for mark in marks if begin < mark < end), end]
     parts = [
-        np.linspace(a, b, max(1, int(np.ceil((b - a) / step))) + 1)[:-1]
-        for a, b in zip(edges, edges[1:], strict=False)
+        np.linspace(a, b, max(1, int(np.ceil((b - a) / step))) + 1)[:-1] for a, b in pairwise(edges)
     ]
     base = np.concatenate([*parts, [end]])
     near = [0.5]

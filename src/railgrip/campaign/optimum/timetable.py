@@ -15,6 +15,10 @@ from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
 
+_TRIES = 25
+_CLOSE = 1e-5
+"""A price is found when its times together miss the asked one by less than this share."""
+
 
 class OptimalRun(NamedTuple):
     """The run of least energy for a time.
@@ -118,28 +122,42 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
 def spread(legs: list[LegProblem], total: float) -> Array:
     """Return the times of several legs, s: together ``total``, a second worth the same in all.
 
-    The price of time is found by halving its range; what is left is shared by the supplements.
+    The price of time is bracketed from that of an even spread and found by false position; what
+    is left over lies between the times of the two prices next to it.
     """
     least = np.array([leg.least_time for leg in legs])
+    even = least * total / least.sum()
+    first = [leg.for_time(float(t)).price for leg, t in zip(legs, even, strict=True)]
+    price = float(np.median(first))
 
     def times_at(price: float) -> Array:
         return np.array([leg.time_of(leg.for_price(price).square) for leg in legs])
 
-    low, high = 1e2, 1e8
-    at_low, at_high = times_at(low), least
-    for _ in range(24):
-        if abs(at_low.sum() - at_high.sum()) < 1e-4 * total:
-            break
-        price = float(np.sqrt(low * high))
+    # a higher price makes faster; the fastest runs are those of an endless one
+    slow: tuple[float, Array] | None = None
+    fast: tuple[float, Array] = (1e12, least)
+    for _ in range(_TRIES):
         found = times_at(price)
         if found.sum() > total:
-            low, at_low = price, found
+            slow = (price, found)
         else:
-            high, at_high = price, found
-    span = at_low.sum() - at_high.sum()
-    part = (total - at_high.sum()) / span if span > 0.0 else 0.0
-    # beyond the slowest price everything goes on in proportion
-    return np.maximum(at_high + part * (at_low - at_high), least)
+            fast = (price, found)
+        if slow is None:
+            price *= 0.5
+        elif fast[0] == 1e12:
+            price *= 2.0
+        else:
+            late, early = slow[1].sum() - total, total - fast[1].sum()
+            if min(late, early) < _CLOSE * total:
+                break
+            # kept off the ends, so that the bracket shrinks from both sides
+            part = min(max(late / (late + early), 0.1), 0.9)
+            price = float(slow[0] * (fast[0] / slow[0]) ** part)
+    if slow is None:  # beyond the slowest run that any price asks for
+        return np.asarray(fast[1] * total / fast[1].sum())
+    late, early = slow[1].sum() - total, total - fast[1].sum()
+    part = late / (late + early) if late + early > 0.0 else 0.0
+    return np.asarray(np.maximum(slow[1] + part * (fast[1] - slow[1]), least))
 
 
 def _legs(journey: Journey, step: float | None) -> list[LegProblem]:
@@ -180,8 +198,9 @@ def _joined(journey: Journey, legs: list[LegProblem], runs: list[Profile]) -> Op
         clock = float(time[-1]) + stop.dwell
         energy += leg.energy_of(run)
     energy += journey.train.auxiliaries * clock / journey.train.efficiency.converter
+    position, speed, time, traction, motor, friction = (np.concatenate(c) for c in columns)
+    least = np.array([leg.least_time for leg in legs])
+    prices = np.array([run.price for run in runs])
     return OptimalRun(
-        *(np.concatenate(column) for column in columns),
-        energy, np.array(times), np.array([leg.least_time for leg in legs]),
-        np.array([run.price for run in runs]),
-    )  # fmt: skip
+        position, speed, time, traction, motor, friction, energy, np.array(times), least, prices
+    )

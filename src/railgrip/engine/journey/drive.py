@@ -14,6 +14,7 @@ from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.journey import kernel
 from railgrip.engine.journey.forces import train_arrays
 from railgrip.engine.journey.profile import Sections, ceiling
+from railgrip.engine.journey.steps import SCRATCH
 from railgrip.engine.plug_ins import first_class
 from railgrip.scenario.journey import Journey
 
@@ -141,7 +142,7 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
         status = kernel.march(
             train, sections.position, sections.slope, sections.slope_change, sections.drag,
             *lid, called, parameters, state, first, journey.step,
-            rows, totals, np.zeros(kernel.SCRATCH + 2 * (2 + state.size)), end,
+            rows, totals, np.zeros(SCRATCH + 2 * (2 + state.size)), end,
         )  # fmt: skip
         _check(status, end, deceleration)
         part = rows[: int(end[0])]
@@ -154,12 +155,15 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
 
 def _leg(lid: tuple[Array, Array, Array], deceleration: float) -> Leg:
     position, square, slope = lid
-    ends = [
-        (float(position[k + 1]), float(max(square[k] + slope[k] * (position[k + 1] - position[k]), 0.0) ** 0.5))
+    feet = np.maximum(square + slope * np.diff(position), 0.0)
+    # a braking curve ends where the next piece does not go on falling from its foot
+    goes_on = np.append((slope[1:] < 0.0) & (square[1:] <= feet[:-1] * (1 + 1e-9)), False)
+    ends = tuple(
+        (float(position[k + 1]), float(feet[k] ** 0.5))
         for k in range(slope.size)
-        if slope[k] < 0.0 and (k + 1 == slope.size or slope[k + 1] == 0.0 or square[k + 1] > square[k])
-    ]  # fmt: skip
-    return Leg(float(position[0]), float(position[-1]), tuple(ends), deceleration)
+        if slope[k] < 0.0 and not goes_on[k]
+    )
+    return Leg(float(position[0]), float(position[-1]), ends, deceleration)
 
 
 def _rows(lid: tuple[Array, Array, Array], sections: Sections, journey: Journey) -> int:

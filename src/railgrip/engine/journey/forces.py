@@ -80,7 +80,8 @@ def resistance(train: Any, slope: float, drag: float, speed: float) -> float:
     """Return what resists the motion, N: running resistance, tunnel, gradient and curve."""
     quadratic = train.quadratic + drag
     force: float = train.constant + (train.linear + quadratic * speed) * speed
-    return force + train.weight * slope
+    force += train.weight * slope
+    return force
 
 
 def efficiency(train: Any, speed: float, share: float, constant: float) -> float:

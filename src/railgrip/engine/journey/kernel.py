@@ -15,7 +15,14 @@ from numba import types as nbt
 
 from railgrip.compiler import entry
 from railgrip.engine.journey.forces import effort_at, piece_at, resistance, speed_of
-from railgrip.engine.journey.steps import ON, SAME, SCRATCH, bound_step, forces, free_step
+from railgrip.engine.journey.steps import (
+    ON,
+    SAME,
+    SCRATCH,
+    bound_step,
+    forces,
+    free_step,
+)
 
 LAW = nbt.void(nbt.float64, nbt.float64, nbt.float64[::1], nbt.float64[::1], nbt.float64[::1])
 """Signature of a driving law: position, speed, parameters, state, demand."""
