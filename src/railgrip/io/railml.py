@@ -74,7 +74,7 @@ def read_railml(path: str | os.PathLike[str], track: str | None = None) -> Line:
             "speed_limit": _steps(found.speeds, 1 / 3.6),
             "curve": [
                 {"from": at, "to": end, "radius": abs(radius)}
-                for (at, radius), end in zip(found.radii, edges, strict=True)
+                for (at, radius), end in zip(found.radii, edges, strict=False)
                 if radius and end > at
             ],
         },
