@@ -165,9 +165,7 @@ def _stretches(
     file: Path, row: dict[str, Any], field: str, value: str, length: float, backwards: bool
 ) -> list[tuple[float, float, float]]:
     found = []
-    for one in row.get(field) or []:
-        if not isinstance(one, dict):
-            _refuse(file, field, "must hold tables")
+    for one in _rows(file, row, field):
         a, b = _number(file, one, "begin", 0.0), _number(file, one, "end", length)
         a, b = (length - b, length - a) if backwards else (a, b)
         found.append((a, b, _number(file, one, value)))
@@ -179,17 +177,16 @@ def _speeds(
 ) -> list[tuple[float, float, float]]:
     found = []
     against = "STOP_TO_START" if backwards else "START_TO_STOP"
-    for section in document.get("speed_sections") or []:
-        speed = section.get("speed_limit") if isinstance(section, dict) else None
-        if not isinstance(speed, int | float) or section.get("on_routes"):
+    for section in _rows(file, document, "speed_sections"):
+        if section.get("speed_limit") is None or section.get("on_routes"):
             continue
-        for part in section.get("track_ranges") or []:
-            if part.get("track") == track and part.get("applicable_directions", "BOTH") in (
-                "BOTH", against,
-            ):  # fmt: skip
+        speed = _number(file, section, "speed_limit")
+        for part in _rows(file, section, "track_ranges"):
+            directions = part.get("applicable_directions", "BOTH")
+            if part.get("track") == track and directions in ("BOTH", against):
                 a, b = _number(file, part, "begin"), _number(file, part, "end")
                 a, b = (length - b, length - a) if backwards else (a, b)
-                found.append((a, b, float(speed)))
+                found.append((a, b, speed))
     return found
 
 
@@ -227,6 +224,13 @@ def _table(file: Path, table: dict[str, Any], key: str, before: str = "") -> dic
     if not isinstance(value, dict):
         _refuse(file, before + key, "is missing")
     return dict(value)
+
+
+def _rows(file: Path, table: dict[str, Any], key: str) -> list[dict[str, Any]]:
+    rows = table.get(key) or []
+    if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
+        _refuse(file, key, "must be a list of tables")
+    return rows
 
 
 def _document(file: Path) -> dict[str, Any]:

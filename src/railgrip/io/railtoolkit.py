@@ -83,13 +83,15 @@ def read_railtoolkit_train(
         if not isinstance(trains, list) or not trains or not isinstance(trains[0], dict):
             _refuse(file, "trains", "is missing", cure="name a formation")
         formation, title = trains[0].get("formation") or (), str(trains[0].get("name", ""))
-    missing = [word for word in formation if word not in known]
+    if not isinstance(formation, Sequence) or isinstance(formation, str):
+        _refuse(file, "formation", "must be a list of vehicles")
+    missing = [word for word in map(str, formation) if word not in known]
     if missing or not formation:
         _refuse(
             file, "formation", f"vehicle '{missing[0]}' unknown" if missing else "is empty",
             allowed=", ".join(sorted(known)),
         )  # fmt: skip
-    return checked(PointTrain, _train(file, title, [known[word] for word in formation]), file)
+    return checked(PointTrain, _train(file, title, [known[str(word)] for word in formation]), file)
 
 
 def _train(file: Path, title: str, cars: list[dict[str, Any]]) -> dict[str, Any]:
@@ -126,7 +128,11 @@ def _train(file: Path, title: str, cars: list[dict[str, Any]]) -> dict[str, Any]
         _refuse(file, "tractive_effort", "must stand at one kind of vehicle", got=f"{len(pulling)}")
     ((key, engine),) = pulling.items()
     rows = engine["tractive_effort"]
-    if not isinstance(rows, list) or any(not isinstance(r, list) or len(r) != 2 for r in rows):
+    if (
+        not isinstance(rows, list)
+        or any(not isinstance(row, list) or len(row) != 2 for row in rows)
+        or any(isinstance(x, bool) or not isinstance(x, int | float) for row in rows for x in row)
+    ):
         _refuse(file, "tractive_effort", "must hold pairs of speed and force")
     braking = [-number(car, "a_braking") for car in cars if "a_braking" in car]
     return {

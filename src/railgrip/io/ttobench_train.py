@@ -150,8 +150,8 @@ def read_ttobench_journey(path: str | os.PathLike[str]) -> TimedStops:
                 dwell = 0.0 if math.isnan(dwell) else dwell
                 if dwell < 0.0:
                     file.refuse("timing points", "departs before it arrives", got=f"{at:g} m")
-            stops[-1] = LineStop(at=at, dwell=dwell)
+            stops[-1] = checked(LineStop, {"at": at, "dwell": dwell}, file.path)
         else:
-            stops.append(LineStop(at=at, dwell=0.0))
+            stops.append(checked(LineStop, {"at": at, "dwell": 0.0}, file.path))
             windows.append((earliest, latest))
     return TimedStops(file.text("associated track"), tuple(stops), tuple(windows))

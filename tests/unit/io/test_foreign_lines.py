@@ -1,3 +1,4 @@
+import contextlib
 import json
 
 import pytest
@@ -292,3 +293,62 @@ def test_what_is_imported_comes_back_from_toml(kind, name, written):
 def test_a_format_that_is_not_known(written):
     with pytest.raises(RailgripError, match="is of no known format; allowed: JSON"):
         read_any(written("line.kml", "x"))
+
+
+JUNK = [None, True, -1.0, 1e30, float("nan"), "", "x" * 300, [], {}, [[1, 2]], {"a": 1}, "\x00"]
+
+
+def leaves(value, place=()):
+    """Return the places of all values below a value."""
+    entries = (
+        value.items()
+        if isinstance(value, dict)
+        else enumerate(value)
+        if isinstance(value, list)
+        else ()
+    )
+    found = [place]
+    for key, below in entries:
+        found += leaves(below, (*place, key))
+    return found
+
+
+def spoiled(document, place, junk):
+    """Return a document with one value replaced."""
+    if not place:
+        return junk
+    copy = json.loads(json.dumps(document))
+    inner = copy
+    for key in place[:-1]:
+        inner = inner[key]
+    inner[place[-1]] = junk
+    return copy
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(
+    "source",
+    ["osrd_train", "osrd_infra", "flirt_tpf", "st_gallen_wil_01", "local", "const"],
+)
+def test_whatever_is_spoiled_gets_a_sentence(written, source, seed):
+    """One value of a correct file replaced by junk: a model, or sentences, and no other error."""
+    import random
+
+    import yaml
+
+    made = {"osrd_train": osrd_train, "osrd_infra": osrd_infra}
+    kinds = {"flirt_tpf": "point_trains", "st_gallen_wil_01": "journeys", "local": "point_trains"}
+    ending = "json"
+    if source in made:
+        document = made[source]()
+    else:
+        file = data.path(kinds.get(source, "lines"), source)
+        ending = file.suffix[1:]
+        document = yaml.safe_load(file.read_text(encoding="utf-8"))
+    draw = random.Random(seed)
+    places = leaves(document)
+    for k in range(60):
+        bad = spoiled(document, draw.choice(places), draw.choice(JUNK))
+        text = yaml.safe_dump(bad) if ending == "yaml" else json.dumps(bad)
+        with contextlib.suppress(RailgripError):
+            read_any(written(f"{k}.{ending}", text))

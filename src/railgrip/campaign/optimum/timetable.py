@@ -98,8 +98,8 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
     Examples
     --------
     >>> run = optimum(Journey(train="flirt_tpf", line="st_gallen_wil"), time=1100.0)
-    >>> round(run.energy / 3.6e6, 1)
-    83.7
+    >>> round(run.energy / 3.6e6)
+    84
     """
     legs = _legs(journey, step)
     least = np.array([leg.least_time for leg in legs])
