@@ -143,6 +143,21 @@ def test_a_supplement_is_spread_so_that_no_shift_saves():
         assert run.energy < other
 
 
+def test_a_climb_with_a_run_up_has_a_slowest_run():
+    """1142 t on 27 ‰ with 170 kN: whoever takes longer than the run-up allows does not arrive."""
+    hill = [{"at": 0, "value": 0.0}, {"at": 3000, "value": 0.027}, {"at": 3900, "value": 0.0}]
+    train = {
+        **PLAIN,
+        "mass": "1142 t",
+        "effort": {"force": "170 kN", "power": "6 MW"},
+        "friction_brake": "900 kN",
+    }
+    leg = LegProblem(Journey(train=train, line=line(6e3, gradient=hill)), 0.0, 6e3, 0.0, 0.0)
+    run = leg.for_time(2.5 * leg.least_time)
+    assert leg.least_time < leg.time_of(run.square) < 2.5 * leg.least_time
+    assert leg.energy_of(run) < leg.energy_of(leg.fastest)
+
+
 def test_tunnels_cost_energy_and_regeneration_saves_it():
     stops = [{"at": 0}, {"at": 8500}]
     open_line = Journey(train="flirt_tpf", line="reference", stop=stops)

@@ -20,6 +20,9 @@ NEAREST = 1e-6
 """A supplement below this share of the least time is mixed from two runs."""
 SHORT = 1e-4
 """A time may fall short of the least one by this share: so much the grid is off at the most."""
+_FACTORS = (1.0, 1.5, 2.2, *(0.8**k for k in range(1, 25)))
+"""Supplements that are tried in turn, over the one asked for: if it has no run, slower ones to mix
+from, then faster ones."""
 LOWEST = 1e-4
 """The least square of speed between the stops, in the grid's unit: 0.1 m/s."""
 
@@ -101,7 +104,11 @@ class LegProblem:
         return Profile(square, motor, brake - motor, price)
 
     def for_time(self, time: float) -> Profile:
-        """Return the run of least energy for a time, s."""
+        """Return the run of least energy for a time, s.
+
+        Where a climb needs its run-up, no run is slower than some time; a longer one then gives
+        a run that arrives early.
+        """
         least = self.least_time
         if not time >= least * (1.0 - SHORT):
             raise RailgripError(
@@ -113,15 +120,12 @@ class LegProblem:
         if time <= least * (1.0 + 1e-12):
             return self.fastest
         share = max(time / least - 1.0, NEAREST)
-        while share < 1e3:
-            found = self._newton(least * (1.0 + share) / units.TIME, np.nan)
+        for factor in _FACTORS:
+            slower = least * (1.0 + share * factor)
+            found = self._newton(slower / units.TIME, np.nan)
             if found is not None:
-                break
-            share *= 2.0
-        assert found is not None
-        if least * (1.0 + share) <= time * (1.0 + 1e-12):
-            return found
-        return self._mixed(found, time)
+                return found if slower <= time * (1.0 + 1e-12) else self._mixed(found, time)
+        return self.fastest
 
     def for_price(self, price: float) -> Profile:
         """Return the run that costs least where a second costs ``price``, W."""

@@ -64,7 +64,8 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
         and the train's length count; an efficiency map does not.
     time : float, optional
         Running time without dwells, from the least possible, [s]; absent: what the journey asks
-        for by ``time`` or ``supplement``.
+        for by ``time`` or ``supplement``. Where a climb needs its run-up there is a slowest run
+        too; a longer time then gives a run that arrives early.
     step : float, optional
         Distance of the nodes, [m]; absent: leg/5000, from 2 to 10 m.
 

@@ -45,7 +45,7 @@ def hyperbola(force: float, power: float) -> Array:
 def brake_pieces(brake: Regeneration) -> Array:
     """Return the pieces of the motors' brake, faded out at low speed."""
     pieces = hyperbola(brake.force, brake.power)
-    if brake.fade_start == 0.0 or brake.force == 0.0:
+    if brake.fade_start == 0.0 or len(pieces) == 1:
         return pieces
     if brake.fade_start > pieces[1, 0]:
         brake = brake.model_copy(update={"fade_start": float(pieces[1, 0])})
