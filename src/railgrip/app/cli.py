@@ -23,6 +23,8 @@ from railgrip.app.commands.contact import contact
 from railgrip.app.commands.demo import demo
 from railgrip.app.commands.etcs import etcs
 from railgrip.app.commands.identify import identify
+from railgrip.app.commands.drive import drive
+from railgrip.app.commands.import_file import import_file
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
 from railgrip.app.commands.qualify import qualify
@@ -52,6 +54,8 @@ app.command(list_names, name="list")
 campaign = App(name="campaign", help="Many runs: how surely, how far, how often.")
 campaign.command(safety)
 app.command(campaign)
+app.command(drive)
+app.command(import_file, name="import")
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:

@@ -12,8 +12,8 @@ from pathlib import Path
 from railgrip.core.errors import RailgripError, unknown_name
 
 KINDS = (
-    "trains", "lines", "rail_conditions", "contact_pairs", "pads", "discs", "scenarios", "profiles",
-    "safety",
+    "trains", "point_trains", "rolling_stock", "lines", "journeys", "rail_conditions",
+    "contact_pairs", "pads", "discs", "scenarios", "profiles", "safety",
 )  # fmt: skip
 """The kinds of shipped data; each is a folder of this package."""
 
@@ -59,7 +59,8 @@ def path(kind: str, name: str) -> Path:
     Returns
     -------
     path : Path
-        An existing file; ``.toml``, or ``.json`` for a line that TTOBench publishes.
+        An existing file; ``.toml``, or the format of its source: ``.json`` (TTOBench), ``.yaml``
+        (railtoolkit).
 
     Raises
     ------
@@ -82,7 +83,11 @@ def _files(kind: str) -> dict[str, Path]:
     if kind not in KINDS:
         raise RailgripError(unknown_name("", "kind of data", kind, KINDS))
     folder = Path(str(resources.files("railgrip.data"))) / kind
-    return {file.stem: file for ending in ("toml", "json") for file in folder.rglob(f"*.{ending}")}
+    return {
+        file.stem: file
+        for ending in ("toml", "json", "yaml")
+        for file in folder.rglob(f"*.{ending}")
+    }
 
 
 def _singular(kind: str) -> str:

@@ -2,28 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
-from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
-from typing import Any, NoReturn
 
-from pydantic import ValidationError
-
-from railgrip.core.errors import Problem, RailgripError
-from railgrip.scenario.explain import problems_of
-from railgrip.scenario.files import check_depth, read_text
+from railgrip.io.checked import checked
+from railgrip.io.ttobench_document import Document
 from railgrip.scenario.line import Line
 
-_UNITS = {
-    "position": {"m": 1.0, "km": 1e3},
-    "velocity": {"km/h": 1 / 3.6, "m/s": 1.0},
-    "slope": {"permil": 1e-3, "‰": 1e-3, "%": 1e-2, "-": 1.0},
-    "radius at start": {"m": 1.0, "km": 1e3},
-    "radius at end": {"m": 1.0, "km": 1e3},
-}
 _PIECE = 10.0
 """Length of the constant-radius pieces that stand for a clothoid, m."""
 
@@ -34,7 +21,7 @@ _STRAIGHT = 1e-6
 def read_ttobench_track(path: str | os.PathLike[str]) -> Line:
     """Return the line that a track file of TTOBench describes.
 
-    Stops only give the length; altitude, tunnels and ETCS data are not read.
+    ETCS data are not read.
 
     Parameters
     ----------
@@ -68,7 +55,7 @@ def read_ttobench_track(path: str | os.PathLike[str]) -> Line:
     >>> read_ttobench_track(path("lines", "fribourg_bern")).length
     31240.7
     """
-    track = _Track(Path(path))
+    track = Document(Path(path))
     stops = [row[0] for row in track.rows("stops", ("position",))]
     if len(stops) < 2 or stops[0] != 0.0 or any(b <= a for a, b in pairwise(stops)):
         track.refuse("stops", "must begin with 0 and ascend, the last one being the length")
@@ -85,95 +72,19 @@ def read_ttobench_track(path: str | os.PathLike[str]) -> Line:
             for at, speed in track.sections("speed limits", ("position", "velocity"))
         ],
         "curve": _curves(track, stops[-1]),
-    }
-    try:
-        return Line.model_validate(description)
-    except ValidationError as error:
-        raise RailgripError(
-            replace(problem, where=f"{track.path}: {problem.where}")
-            for problem in problems_of(error, Line)
-        ) from None
-
-
-class _Track:
-    """The JSON document, asked for one field at a time."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        try:
-            self.document = json.loads(read_text(path), parse_constant=self._no_constant)
-        except RecursionError:
-            self.refuse("", "is nested too deeply")
-        except ValueError as error:
-            self.refuse("", f"is not valid JSON: {error}")
-        check_depth(self.document, str(path))
-        if not isinstance(self.document, dict):
-            self.refuse("", "must hold a JSON object")
-
-    def refuse(self, where: str, what: str, got: str = "", allowed: str = "") -> NoReturn:
-        place = f"{self.path}: {where}" if where else str(self.path)
-        raise RailgripError(Problem(place, what, got[:80], allowed))
-
-    def _no_constant(self, word: str) -> NoReturn:
-        self.refuse("", "holds a number that is none", got=word)
-
-    def text(self, key: str) -> str:
-        metadata = self.document.get("metadata")
-        value = metadata.get(key, "") if isinstance(metadata, dict) else ""
-        return str(value)[:200]
-
-    def rows(
-        self, field: str, columns: tuple[str, ...], optional: bool = False
-    ) -> list[tuple[float, ...]]:
-        """Return the rows of one field in SI."""
-        if optional and field not in self.document:
-            return []
-        table = self.document.get(field)
-        values = table.get("values") if isinstance(table, dict) else None
-        if not isinstance(table, dict) or not isinstance(values, list) or not values:
-            self.refuse(field, "is missing, or has no values")
-        units = table.get("units", {columns[0]: table.get("unit")})
-        scales = [self._scale(field, column, units) for column in columns]
-        return [
-            self._row(f"{field}.values[{i}]", row if len(columns) > 1 else [row], scales)
-            for i, row in enumerate(values)
-        ]
-
-    def sections(
-        self, field: str, columns: tuple[str, ...], optional: bool = False
-    ) -> list[tuple[float, ...]]:
-        """Return the rows of a field whose first entry must stand at the beginning."""
-        rows = self.rows(field, columns, optional)
-        if rows and rows[0][0] != 0.0:
-            self.refuse(f"{field}.values[0]", "must begin at position 0", got=f"{rows[0][0]:g} m")
-        return rows
-
-    def _scale(self, field: str, column: str, units: Any) -> float:
-        known = _UNITS[column]
-        unit = units.get(column) if isinstance(units, dict) else None
-        if not isinstance(unit, str) or unit not in known:
-            self.refuse(
-                f"{field}.units.{column}", "unknown unit", got=repr(unit), allowed=", ".join(known)
+        "tunnel": [
+            {"from": at, "to": at + length, "cross_section": cross_section}
+            for at, length, cross_section in track.rows(
+                "tunnels", ("position", "length", "cross section"), optional=True
             )
-        return known[unit]
-
-    def _row(self, where: str, row: Any, scales: list[float]) -> tuple[float, ...]:
-        if not isinstance(row, list) or len(row) != len(scales):
-            self.refuse(where, f"must have {len(scales)} entries", got=repr(row))
-        numbers = [self._number(where, value) for value in row]
-        if not math.isfinite(numbers[0]):
-            self.refuse(where, "must have a finite position", got=repr(row))
-        return tuple(a * b for a, b in zip(numbers, scales, strict=True))
-
-    def _number(self, where: str, value: Any) -> float:
-        if value == "infinity":
-            return math.inf
-        if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > 1e9:
-            self.refuse(where, "must hold numbers", got=repr(value))
-        return float(value)
+        ],
+        "stop": [{"at": at} for at in stops],
+        "altitude": track.scalar("altitude", 0.0),
+    }
+    return checked(Line, description, track.path)
 
 
-def _curves(track: _Track, length: float) -> list[dict[str, float]]:
+def _curves(track: Document, length: float) -> list[dict[str, float]]:
     """Return the curves of a track as stretches of constant radius."""
     columns = ("position", "radius at start", "radius at end")
     rows = track.sections("curvatures", columns, optional=True)

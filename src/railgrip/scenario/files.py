@@ -21,7 +21,7 @@ MOST_VALUES = 250_000
 _LONG_KEY = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){60}""")
 
 # These name another file; relative to the file that names it.
-_POINTERS = frozenset({"extends", "train", "use", "condition", "pad", "disc", "controller"})
+_POINTERS = frozenset({"extends", "train", "line", "use", "condition", "pad", "disc", "controller"})
 
 
 def read_text(path: Path) -> str:
@@ -164,4 +164,4 @@ def is_path(word: str) -> bool:
     >>> is_path("my_train.toml"), is_path("emu_four_car")
     (True, False)
     """
-    return word.endswith((".toml", ".json", ".py")) or word.startswith((".", "/", "~"))
+    return word.endswith((".toml", ".json", ".yaml", ".py")) or word.startswith((".", "/", "~"))

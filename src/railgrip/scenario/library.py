@@ -14,6 +14,7 @@ from railgrip.scenario.merge import merged
 
 FOLDERS = {
     "train": "trains",
+    "point_train": "point_trains",
     "line": "lines",
     "pad": "pads",
     "disc": "discs",
@@ -23,6 +24,14 @@ FOLDERS = {
     "profile": "profiles",
 }
 """Kind of description → its folder in the shipped data."""
+
+_READERS = {
+    ("line", ".json"): "ttobench",
+    ("line", ".yaml"): "railtoolkit_path",
+    ("point_train", ".json"): "ttobench_train",
+    ("point_train", ".yaml"): "railtoolkit_train",
+}
+"""(Kind, ending of the file) → its reader; every other file is TOML."""
 
 _MOST_PARENTS = 20
 
@@ -83,6 +92,6 @@ def inherited(kind: str, table: Table, visited: tuple[Path, ...] = ()) -> Table:
 
 
 def _read(kind: str, path: Path, visited: tuple[Path, ...]) -> Any:
-    if path.suffix == ".json":
-        return registry.resolve("railgrip.readers", "ttobench")(path)
+    if (kind, path.suffix) in _READERS:
+        return registry.resolve("railgrip.readers", _READERS[kind, path.suffix])(path)
     return inherited(kind, read_table(path), (*visited, path))

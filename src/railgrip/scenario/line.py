@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from railgrip.core.errors import Problem
 from railgrip.scenario.base import Model, Text, refuse
 from railgrip.scenario.reference import Reference
-from railgrip.scenario.units import Gradient, Length, Speed
+from railgrip.scenario.units import Area, Gradient, Length, Speed, Time
 
 
 class GradientPoint(Model):
@@ -35,6 +35,22 @@ class SpeedLimit(Model):
     value: Speed = Field(gt=0, le=600 / 3.6, description="Permitted speed.")
 
 
+class Tunnel(Model):
+    """A stretch in a tunnel."""
+
+    begin: Length = Field(alias="from", ge=0, le=1e6, description="Position on the line.")
+    end: Length = Field(alias="to", ge=0, le=1e6, description="Position on the line.")
+    cross_section: Area = Field(gt=0, le=1000, description="Free cross-section of the tube.")
+
+
+class LineStop(Model):
+    """A place where trains stop."""
+
+    at: Length = Field(ge=0, le=1e6, description="Position of the train's front.")
+    name: Text = Field(default="", description="Name for people.")
+    dwell: Time = Field(default=30.0, ge=0, le=86_400, description="Time at the platform.")
+
+
 class Line(Model):
     """A line from position 0 to its length."""
 
@@ -50,10 +66,21 @@ class Line(Model):
     speed_limit: tuple[SpeedLimit, ...] = Field(
         default=(), max_length=20_000, description="Ascending by position; none before the first."
     )
+    tunnel: tuple[Tunnel, ...] = Field(
+        default=(), max_length=20_000, description="Ascending by position, not overlapping."
+    )
+    stop: tuple[LineStop, ...] = Field(
+        default=(), max_length=20_000, description="Ascending by position."
+    )
+    altitude: Length = Field(
+        default=0.0, ge=-1000, le=9000, description="Height above the sea at position 0."
+    )
 
     @model_validator(mode="after")
     def _in_order(self) -> Line:
-        refuse([*self._points("gradient"), *self._points("speed_limit"), *self._curves()])
+        points = [self._points(name) for name in ("gradient", "speed_limit", "stop")]
+        stretches = [self._stretches(name) for name in ("curve", "tunnel")]
+        refuse([problem for found in (*points, *stretches) for problem in found])
         return self
 
     def _points(self, name: str) -> list[Problem]:
@@ -78,23 +105,24 @@ class Line(Model):
             if at > self.length
         ]
 
-    def _curves(self) -> list[Problem]:
+    def _stretches(self, name: str) -> list[Problem]:
+        stretches = getattr(self, name)
         problems = [
             Problem(
-                f"curve[{i}].to",
+                f"{name}[{i}].to",
                 "must lie beyond 'from'",
-                got=f"from {curve.begin:g} m to {curve.end:g} m",
+                got=f"from {stretch.begin:g} m to {stretch.end:g} m",
             )
-            for i, curve in enumerate(self.curve)
-            if curve.end <= curve.begin
+            for i, stretch in enumerate(stretches)
+            if stretch.end <= stretch.begin
         ]
         return problems + [
             Problem(
-                f"curve[{i + 1}].from",
-                "must not lie before the end of the curve before it",
+                f"{name}[{i + 1}].from",
+                f"must not lie before the end of the {name} before it",
                 got=f"{b.begin:g} m before {a.end:g} m",
             )
-            for i, (a, b) in enumerate(pairwise(self.curve))
+            for i, (a, b) in enumerate(pairwise(stretches))
             if b.begin < a.end
         ]
 

@@ -14,6 +14,7 @@ from railgrip.core.errors import Problem, RailgripError, unknown_name
 SHIPPED = {
     "scenarios": "scenario",
     "trains": "train",
+    "point-trains": "point_train",
     "lines": "line",
     "rail-conditions": "rail_condition",
     "contact-pairs": "contact_pair",

@@ -1,0 +1,147 @@
+"""A leg of a journey on a grid, in units in which everything is of the order of one."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from railgrip.core.constants import GRAVITY
+from railgrip.core.errors import Problem, RailgripError
+from railgrip.engine.journey.effort import brake_pieces, pieces_of
+from railgrip.engine.journey.forces import UNLIMITED
+from railgrip.engine.journey.profile import Sections, limits
+from railgrip.scenario.journey import Journey
+
+Array = NDArray[np.float64]
+
+LENGTH, SPEED, TIME = 100.0, 10.0, 10.0
+"""Units of the grid: m, m/s, s. Acceleration is in m/s², forces are per dynamic mass."""
+FINEST, COARSEST, NODES = 2.0, 10.0, 5000
+"""Distance of nodes, m: that of so many nodes a leg, but within these bounds."""
+NEAR = 0.25
+"""An additional node is left out where another is nearer, m."""
+LITTLE = 1e-3
+"""The least force that a limit leaves open, m/s²: a limit of nothing has no inside."""
+
+
+class Grid(NamedTuple):
+    """A leg, scaled."""
+
+    width: Array
+    """Of each interval."""
+    slope: Array
+    """Specific gradient force in each interval."""
+    drag: Array
+    """Coefficient of the square of the speed in each interval."""
+    limit: Array
+    """Square of the permitted speed at each node."""
+    effort: Array
+    """Pieces of the effort (speed, c0, c1, c2), without the constant limit of the force."""
+    brake: Array
+    """The same of the motors' brake."""
+    bounds: Array
+    """constant, linear, effort, brake, friction, acceleration, deceleration, drive, return."""
+    given: NDArray[np.bool_]
+    """Which of the ten conditions of an interval there are."""
+
+
+def nodes(journey: Journey, begin: float, end: float, step: float | None = None) -> Array:
+    """Return the positions of the nodes of a leg, m.
+
+    Every change of a limit and both ends of every tunnel are nodes; towards the stops they lie
+    closer.
+    """
+    if step is None:
+        step = min(max((end - begin) / NODES, FINEST), COARSEST)
+    marks = {at for at, _ in limits(journey)}
+    marks |= {x for tunnel in journey.line.tunnel for x in (tunnel.begin, tunnel.end)}
+    edges = [begin, *sorted(mark for mark in marks if begin < mark < end), end]
+    parts = [
+        np.linspace(a, b, max(1, int(np.ceil((b - a) / step))) + 1)[:-1] for a, b in pairwise(edges)
+    ]
+    base = np.concatenate([*parts, [end]])
+    near = [0.5]
+    while near[-1] < 8.0 * step:
+        near.append(near[-1] + max(0.5, 0.12 * near[-1]))
+    extra = np.concatenate([begin + np.array(near), end - np.array(near)])
+    extra = extra[(extra > begin) & (extra < end)]
+    right = np.clip(np.searchsorted(base, extra), 1, base.size - 1)
+    gap = np.minimum(np.abs(base[right] - extra), np.abs(base[right - 1] - extra))
+    return np.unique(np.concatenate([base, extra[gap > NEAR]]))
+
+
+def grid_of(journey: Journey, places: Array) -> Grid:
+    """Return the grid of a leg on nodes."""
+    train, sections = journey.train, Sections(journey)
+    if train.efficiency.map is not None:
+        raise RailgripError(
+            Problem(
+                "train.efficiency.map",
+                "is not known to the optimum, which counts with constant efficiency",
+                cure="leave the map out; efficiency.traction and .regeneration then count",
+            )
+        )
+    mass = train.dynamic_mass
+    middle = 0.5 * (places[1:] + places[:-1])
+    steps = limits(journey)
+    at = np.array([a for a, _ in steps])
+    squares = np.array([v * v for _, v in steps]) / SPEED**2
+    here = squares[np.searchsorted(at, middle, "right") - 1]
+    limit = np.minimum(np.append(here, here[-1]), np.append(here[0], here))
+    deceleration = journey.deceleration()
+    motor, friction = train.regeneration, train.friction_brake
+    effort, most = _open(pieces_of(train.effort), mass)
+    brake, most_brake = _open(brake_pieces(motor), mass)
+    has_motor, has_friction = most_brake > 0.0, friction != 0.0
+    chain = train.efficiency
+    bounds = np.array([
+        train.resistance.constant / mass,
+        train.resistance.linear * SPEED / mass,
+        most,
+        most_brake,
+        UNLIMITED if friction is None else friction / mass,
+        UNLIMITED if train.max_acceleration is None else train.max_acceleration,
+        UNLIMITED if deceleration is None else deceleration,
+        1.0 / (chain.traction * chain.converter),
+        chain.regeneration * chain.converter * motor.receptivity,
+    ])  # fmt: skip
+    given = np.array([
+        True, True, True, has_motor, has_motor, has_motor,
+        has_friction, has_friction and friction is not None,
+        train.max_acceleration is not None, deceleration is not None,
+    ])  # fmt: skip
+    return Grid(
+        np.diff(places) / LENGTH,
+        train.mass * GRAVITY / mass * sections.mean_slope(places),
+        (train.resistance.quadratic + sections.drag_at(middle)) * SPEED**2 / mass,
+        limit, effort, brake, bounds, given,
+    )  # fmt: skip
+
+
+def _open(pieces: Array, mass: float) -> tuple[Array, float]:
+    """Scale pieces and take the constant limit of the force out of them.
+
+    A hyperbola goes on to standstill, where the constant limit holds: each alone is smooth, the
+    lesser of both has a bend. A table of held entries is read as lines between them, which lie
+    below the steps of a falling effort.
+    """
+    pieces = pieces.copy()
+    knots = np.append(pieces[1:, 0], pieces[-1, 0] + 1.0)
+    ends = pieces[:, 1] + pieces[:, 2] * knots
+    most = float(np.max(np.maximum(pieces[:, 1] + pieces[:, 2] * pieces[:, 0], 0.0)))
+    if not np.any(pieces[:, 3]) and np.all(pieces[:, 2] == 0.0) and len(pieces) > 1:
+        slope = np.append(np.diff(pieces[:, 1]) / np.diff(pieces[:, 0]), 0.0)
+        pieces[:, 1] -= slope * pieces[:, 0]
+        pieces[:, 2] = slope
+    elif np.any(pieces[:, 3]):
+        flat = (pieces[:, 2] == 0.0) & (pieces[:, 3] == 0.0) & (ends == most)
+        pieces[flat, 3] = pieces[-1, 3]
+        pieces[flat, 1] = 0.0
+    pieces[:, 0] /= SPEED
+    pieces[:, 1] /= mass
+    pieces[:, 2] *= SPEED / mass
+    pieces[:, 3] /= SPEED * mass
+    return pieces, most / mass

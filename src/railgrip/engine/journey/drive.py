@@ -1,0 +1,219 @@
+"""Drives a journey: legs from stop to stop, each marched by the kernel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from railgrip.core.errors import Problem, RailgripError
+from railgrip.engine.journey import kernel
+from railgrip.engine.journey.forces import train_arrays
+from railgrip.engine.journey.profile import Sections, ceiling
+from railgrip.engine.journey.steps import SCRATCH
+from railgrip.engine.plug_ins import first_class
+from railgrip.scenario.journey import Journey
+
+Array = NDArray[np.float64]
+MOST_ROWS = 400_000
+
+
+class Leg(NamedTuple):
+    """What a driving law may know of the way to the next stop."""
+
+    begin: float
+    """Position of the departure, m."""
+    end: float
+    """Position of the next stop, m."""
+    targets: tuple[tuple[float, float], ...]
+    """(position [m], permitted speed [m/s]) of every lower limit ahead, the stop last."""
+    deceleration: float
+    """Of the braking curves, m/s²."""
+
+
+class DrivingLaw(NamedTuple):
+    """A driving law: what to demand below the permitted speed.
+
+    ``demand`` is a plain function of position, speed, parameters, state and demand. It fills
+    ``demand[0]`` with the share of the tractive effort (0 to 1), ``demand[1]`` with a deceleration
+    by the brake, m/s², and the rest with the new state; it must not change ``state``. The kernel
+    locates where a demand changes. Permitted speed and braking curve have priority over it.
+    """
+
+    demand: Callable[..., None]
+    setup: Callable[[Leg], tuple[Array, Array]]
+    """Leg → parameters and first state."""
+
+
+def full_power(position: float, speed: float, parameters: Any, state: Any, demand: Any) -> None:
+    """Demand all the tractive effort, always: the fastest run."""
+    demand[0] = 1.0
+    demand[1] = 0.0
+
+
+FLAT_OUT = DrivingLaw(full_power, lambda leg: (np.zeros(1), np.zeros(0)))
+"""Full power to the permitted speed, then to the braking curve."""
+
+
+@dataclass(frozen=True)
+class JourneyRun:
+    """What became of a journey.
+
+    Attributes
+    ----------
+    journey : Journey
+        What was asked.
+    trace : dict of array
+        ``time`` s, ``position`` m, ``speed`` m/s, ``traction``, ``motor_brake``, ``friction`` N and
+        ``permitted`` m/s, at the ends of the steps.
+    running_times : array (leg)
+        Without dwells, s.
+    energy : dict of float
+        J: at the wheel ``traction``, ``motor_brake``, ``friction``, ``resistance``, ``grade``;
+        ``dc_link`` and ``pantograph`` net, with the auxiliaries.
+    switchings : int
+        Changes between traction and none.
+    """
+
+    journey: Journey
+    trace: dict[str, Array]
+    running_times: Array
+    energy: dict[str, float]
+    switchings: int
+
+    @property
+    def running_time(self) -> float:
+        """Without dwells, s."""
+        return float(self.running_times.sum())
+
+
+def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
+    """Drive a journey without slip.
+
+    Parameters
+    ----------
+    journey : Journey
+        Train, line and stops; needs a deceleration of the braking curves.
+    law : DrivingLaw
+        What to demand below the permitted speed; full power if nothing else is said.
+
+    Returns
+    -------
+    run : JourneyRun
+        Trace, times and energy.
+
+    Raises
+    ------
+    RailgripError
+        ``the train cannot climb here and stalls; got a stand at 4321 m; try: …``
+
+    Examples
+    --------
+    >>> from railgrip.scenario.journey import Journey
+    >>> run = drive(Journey(train="local", line="const", passing_speed=0.0))
+    >>> round(run.running_time, 1)
+    393.4
+    """
+    deceleration = journey.deceleration()
+    if deceleration is None:
+        raise RailgripError(
+            Problem("braking", "is missing, and the train names none", cure="braking = '0.5 m/s^2'")
+        )
+    train, sections = train_arrays(journey.train), Sections(journey)
+    called = first_class(law.demand, kernel.LAW)
+    totals, traces, times = np.zeros(kernel.TOTALS), [], []
+    clock = 0.0
+    stops = journey.stops()
+    for k, (here, there) in enumerate(pairwise(stops)):
+        first = journey.passing_speed if k == 0 else 0.0
+        final = journey.passing_speed if k == len(stops) - 2 else 0.0
+        lid = ceiling(journey, here.at, there.at, final, deceleration)
+        if first**2 > lid[1][0] * (1 + 1e-9):
+            raise RailgripError(
+                Problem("passing_speed", "is above what is permitted there", got=f"{first:g} m/s")
+            )
+        parameters, state = law.setup(_leg(lid, deceleration))
+        rows = np.zeros((_rows(lid, sections, journey), kernel.COLUMNS))
+        end = np.zeros(4)
+        status = kernel.march(
+            train, sections.position, sections.slope, sections.slope_change, sections.drag,
+            *lid, called, parameters, state, first, journey.step,
+            rows, totals, np.zeros(SCRATCH + 2 * (2 + state.size)), end,
+        )  # fmt: skip
+        _check(status, end, deceleration)
+        part = rows[: int(end[0])]
+        part[:, kernel.TIME] += clock
+        traces.append(part)
+        times.append(end[1])
+        clock += end[1] + there.dwell
+    return _run(journey, np.concatenate(traces), np.array(times), totals)
+
+
+def _leg(lid: tuple[Array, Array, Array], deceleration: float) -> Leg:
+    position, square, slope = lid
+    feet = np.maximum(square + slope * np.diff(position), 0.0)
+    # a braking curve ends where the next piece does not go on falling from its foot
+    goes_on = np.append((slope[1:] < 0.0) & (square[1:] <= feet[:-1] * (1 + 1e-9)), False)
+    ends = tuple(
+        (float(position[k + 1]), float(feet[k] ** 0.5))
+        for k in range(slope.size)
+        if slope[k] < 0.0 and not goes_on[k]
+    )
+    return Leg(float(position[0]), float(position[-1]), ends, deceleration)
+
+
+def _rows(lid: tuple[Array, Array, Array], sections: Sections, journey: Journey) -> int:
+    length = lid[0][-1] - lid[0][0]
+    rough = length / journey.step / 2.0 + 40 * (lid[1].size + sections.slope.size)
+    return int(min(2_000 + rough + 20 * len(journey.train.effort.table), MOST_ROWS))
+
+
+def _check(status: int, end: Array, deceleration: float) -> None:
+    place = f"{end[2]:.0f} m"
+    if status == kernel.STALLED:
+        raise RailgripError(
+            Problem(
+                "",
+                "the train cannot climb here and stalls",
+                got=f"a stand at {place}",
+                cure="more tractive effort, less mass, or a start with a run-up",
+            )
+        )
+    if status == kernel.TOO_WEAK:
+        raise RailgripError(
+            Problem(
+                "braking",
+                "is more than the brakes give here",
+                got=f"{deceleration:g} m/s² at {place}",
+                cure="a smaller deceleration",
+            )
+        )
+    if status == kernel.TOO_LONG:
+        raise RailgripError(
+            Problem("", "the run takes too many steps", got=f"no arrival before {place}")
+        )
+
+
+def _run(journey: Journey, rows: Array, times: Array, totals: Array) -> JourneyRun:
+    names = ("time", "position", "speed", "traction", "motor_brake", "friction", "permitted")
+    chain, net = journey.train.efficiency, journey.train.regeneration.receptivity
+    wheel = dict(
+        zip(("traction", "motor_brake", "friction", "resistance", "grade"), totals, strict=False)
+    )
+    auxiliaries = journey.train.auxiliaries * float(rows[-1, kernel.TIME])
+    drawn, returned = totals[kernel.DC_TRACTION] + auxiliaries, totals[kernel.DC_BRAKE]
+    energy = {name: float(value) for name, value in wheel.items()}
+    energy["auxiliaries"] = auxiliaries
+    energy["dc_link"] = float(drawn - returned * net)
+    energy["pantograph"] = float(drawn / chain.converter - returned * net * chain.converter)
+    return JourneyRun(
+        journey,
+        {name: rows[:, k].copy() for k, name in enumerate(names)},
+        times,
+        energy,
+        int(totals[kernel.SWITCHINGS]),
+    )

@@ -1,0 +1,29 @@
+"""A few rows of the stored study of optima are made again."""
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from railgrip.campaign.optimum.leg import LegProblem
+from railgrip.scenario.journey import Journey
+
+STORED = Path(__file__).parents[2] / "studies" / "results" / "optimum.csv"
+ROWS = list(csv.DictReader(line for line in STORED.open(encoding="utf-8") if line[0] != "#"))
+SOME = ROWS[3::137]
+
+
+def test_every_time_was_met():
+    assert len(ROWS) == 1100
+    assert max(abs(float(row["seconds_off"])) for row in ROWS) < 1e-3
+
+
+@pytest.mark.parametrize(
+    "row", SOME, ids=lambda row: f"{row['train']}-{row['line']}-{row['share']}"
+)
+def test_energy_is_the_stored_one(row):
+    begin, end = float(row["from"]), float(row["to"])
+    leg = LegProblem(Journey(train=row["train"], line=row["line"]), begin, end, 0.0, 0.0)
+    assert leg.least_time == pytest.approx(float(row["least_time"]), abs=1e-3)
+    run = leg.for_time(leg.least_time * (1 + float(row["share"])))
+    assert leg.energy_of(run) / 3.6e6 == pytest.approx(float(row["energy_kwh"]), rel=1e-4, abs=1e-3)
