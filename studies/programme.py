@@ -95,7 +95,8 @@ def page(note: dict[str, Any]) -> str:
     lines = [
         f"`{note['command']}`, railgrip {note['railgrip_version']}, train `{note['train']}`, "
         f"profile `{note['profile']}`, seed {note['seed']}. **Bold**: missed. The profile's "
-        "limits are illustrative or unverified, so a missed one is a question, not a verdict on a product.",
+        "limits are illustrative or unverified, so a missed one is a question, not a verdict on a "
+        "product.",
         "",
         f"| limit | {' | '.join(f'`{name}`' for name in names)} |",
         f"|---|{'---|' * len(names)}",

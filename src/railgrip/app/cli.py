@@ -21,9 +21,9 @@ from railgrip.app.commands.check import check
 from railgrip.app.commands.compare import compare
 from railgrip.app.commands.contact import contact
 from railgrip.app.commands.demo import demo
+from railgrip.app.commands.drive import drive
 from railgrip.app.commands.etcs import etcs
 from railgrip.app.commands.identify import identify
-from railgrip.app.commands.drive import drive
 from railgrip.app.commands.import_file import import_file
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
@@ -48,14 +48,15 @@ app = App(
     default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
 )
-for command in (demo, run, compare, contact, check, tune, qualify, new, schema, etcs, identify):
+for command in (
+    demo, run, compare, qualify, identify, tune, drive, etcs, contact, check, new, schema,
+):  # fmt: skip
     app.command(command)
+app.command(import_file, name="import")
 app.command(list_names, name="list")
 campaign = App(name="campaign", help="Many runs: how surely, how far, how often.")
 campaign.command(safety)
 app.command(campaign)
-app.command(drive)
-app.command(import_file, name="import")
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
