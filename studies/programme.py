@@ -19,6 +19,8 @@ import railgrip
 from railgrip.campaign.programme.perform import Programme, TestRecord
 from railgrip.campaign.programme.profile import read_profile
 from railgrip.campaign.programme.verdict import mean_interval
+from railgrip.control.etcs.steps import constant
+from railgrip.control.etcs.train_data import safe_deceleration
 from railgrip.core.atomic import write_aside
 
 CONTROLLERS = (
@@ -27,6 +29,10 @@ CONTROLLERS = (
 TRAIN, PROFILE = "emu_four_car", "en_15595_style"
 RESULTS = Path(__file__).parent / "results"
 SPRAYED = ("W3", "W4")
+DRY = {"W3": "D1", "W4": "D2"}
+K_DRY = 0.75146
+"""K_dry_rst at EBCL 9 of sixteen equal units that fail with 10⁻³ and scatter by 5 %, exactly (see
+docs/safety.md): stands in for the train's own, which its brake's data would give."""
 
 
 def main() -> None:
@@ -71,6 +77,11 @@ def examine(
         "runs": sum(len(record.runs) for record in records),
         "invalid": sum(len(record.runs) - len(record.valid) for record in records),
         "k_wet": {record.name: k_wet(record) for record in records if record.name in SPRAYED},
+        "a_emergency": {
+            record.name: plain(float(record.figures("mean_deceleration").mean()))
+            for record in records
+            if record.name in DRY.values()
+        },
     }
 
 
@@ -117,6 +128,14 @@ def page(note: dict[str, Any]) -> str:
     for name in names:
         cells = [interval(found[name]["k_wet"].get(test)) for test in SPRAYED]
         lines.append(f"| `{name}` | {' | '.join(cells)} |")
+    lines += [
+        "", "A_brake_safe = K_dry K_wet A_brake_emergency of ETCS (M_NVAVADH 0), with K_dry = "
+        f"{K_DRY} at EBCL 9 (sixteen equal units, exact) and the dry mean deceleration:", "",
+        "| controller | W3, m/s² | W4, m/s² |", "|---|---|---|",
+    ]  # fmt: skip
+    for name in names:
+        cells = [safe(found[name], test) for test in SPRAYED]
+        lines.append(f"| `{name}` | {' | '.join(cells)} |")
     problems = [f"- `{n}`, {t}: {p}" for n in names for t, p in found[n]["problems"].items()]
     return "\n".join([*lines, "", *problems]).rstrip() + "\n"
 
@@ -136,6 +155,18 @@ def interval(value: list[float | None] | None) -> str:
     if not value or value[0] is None:
         return "–"
     return f"{value[0]:.3f} ({value[1]:.3f} … {value[2]:.3f})"
+
+
+def safe(found: dict[str, Any], test: str) -> str:
+    """Return the safe deceleration that K_wet gives, with its interval."""
+    factors, nominal = found["k_wet"].get(test), found["a_emergency"].get(DRY[test])
+    if not factors or factors[0] is None or nominal is None:
+        return "–"
+    values = [
+        safe_deceleration(constant(nominal), constant(K_DRY), constant(factor)).at(0.0)
+        for factor in factors
+    ]
+    return f"{values[0]:.3f} ({values[1]:.3f} … {values[2]:.3f})"
 
 
 if __name__ == "__main__":
