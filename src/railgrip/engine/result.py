@@ -268,7 +268,7 @@ def _rail(plan: Plan, rail: Memory, front: float) -> tuple[Variables, FloatArray
     n_cells = min(max(n_cells, 0), len(rail.ring_energy), len(way.condition_of_cell))
     cells = np.arange(n_cells)
     position = np.array(way.origin + (cells + 0.5) * way.cell_length, dtype=np.float64)
-    rows = way.conditions[way.condition_of_cell[:n_cells]]
+    rows = way.conditions[0, way.condition_of_cell[:n_cells]]
     before = rows[:, 0] * rail.ring_factor[:n_cells]
     clean = np.maximum(rows[:, 5], before)
     energy, sand = rail.ring_energy[:n_cells], rail.ring_sand[:n_cells]
