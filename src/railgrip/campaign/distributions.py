@@ -70,7 +70,7 @@ class LogNormal(Model):
         from scipy.special import ndtri
 
         middle, spread = self._logarithm()
-        return np.exp(middle + spread * ndtri(u))
+        return np.asarray(np.exp(middle + spread * ndtri(u)))
 
     def cdf(self, x: Values) -> Values:
         """Return the share of all draws below the values x."""
@@ -201,13 +201,13 @@ class Empirical(Model):
         """Return the values below which the shares u of all draws lie."""
         ordered = np.sort(np.array(self.values, dtype=float))
         ranks = (np.arange(len(ordered)) + 0.5) / len(ordered)
-        return np.interp(u, ranks, ordered)
+        return np.asarray(np.interp(u, ranks, ordered))
 
     def cdf(self, x: Values) -> Values:
         """Return the share of all draws below the values x."""
         ordered = np.sort(np.array(self.values, dtype=float))
         ranks = (np.arange(len(ordered)) + 0.5) / len(ordered)
-        return np.interp(x, ordered, ranks, left=0.0, right=1.0)
+        return np.asarray(np.interp(x, ordered, ranks, left=0.0, right=1.0))
 
 
 Continuous = Annotated[
@@ -236,12 +236,12 @@ class Truncated(Model):
         """Return the values below which the shares u of all draws lie."""
         low, high = self.of.cdf(np.array(self.low)), self.of.cdf(np.array(self.high))
         value = self.of.ppf(np.clip(low + (high - low) * np.asarray(u), 1e-300, 1.0 - 1e-16))
-        return np.clip(value, self.low, self.high)
+        return np.asarray(np.clip(value, self.low, self.high))
 
     def cdf(self, x: Values) -> Values:
         """Return the share of all draws below the values x."""
         low, high = self.of.cdf(np.array(self.low)), self.of.cdf(np.array(self.high))
-        return np.clip((self.of.cdf(x) - low) / (high - low), 0.0, 1.0)
+        return np.asarray(np.clip((self.of.cdf(x) - low) / (high - low), 0.0, 1.0))
 
 
 class Part(Model):
@@ -275,7 +275,7 @@ class Mixture(Model):
             middle = 0.5 * (low + high)
             is_below = self.cdf(middle) < u
             low, high = np.where(is_below, middle, low), np.where(is_below, high, middle)
-        return high
+        return np.asarray(high)
 
 
 Distribution = Annotated[

@@ -12,7 +12,8 @@ from pathlib import Path
 from railgrip.core.errors import RailgripError, unknown_name
 
 KINDS = (
-    "trains", "lines", "rail_conditions", "contact_pairs", "pads", "discs", "scenarios", "campaigns",
+    "trains", "lines", "rail_conditions", "contact_pairs", "pads", "discs", "scenarios",
+    "campaigns",
 )  # fmt: skip
 """The kinds of shipped data; each is a folder of this package."""
 

@@ -196,7 +196,7 @@ def _rows(rows: list[list[Any]], runs: int) -> FloatArray:
     return table
 
 
-def _way(many: Scenario, runs: int) -> dict[str, FloatArray]:
+def _way(many: Scenario, runs: int) -> dict[str, Any]:
     rail, field = many.rail, many.rail.random
     base = _row(rail.condition)
     if field is not None:

@@ -157,6 +157,11 @@ def _outcomes(scenario: Scenario, out: Outcome) -> Variables:
     return found
 
 
+def figures_of(scenario: Scenario, out: Outcome) -> dict[str, FloatArray]:
+    """Return what a batch amounts to: one value for each run, or for each run and axle."""
+    return {name: values for name, (_, values) in _outcomes(scenario, out).items()}
+
+
 def flat_length(locked_work: FloatArray, wheel_radius: FloatArray) -> FloatArray:
     """Return the length of the flat that locked sliding grinds into each wheel.
 

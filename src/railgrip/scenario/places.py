@@ -10,6 +10,8 @@ from railgrip.scenario.base import Model
 from railgrip.scenario.scenario import Scenario
 
 Steps = tuple[str | int, ...]
+OF = ".of."
+"""Between the name of a brake and the axle that wears it."""
 SCOPES = ("train", "vehicle", "bogie", "axle")
 
 _PART = re.compile(r"([^.\[\]]+)((?:\[(?:\d{1,6}|\*)\])*)")
@@ -42,7 +44,7 @@ def spread_out(scenario: Scenario) -> Scenario:
         for j, bogie in enumerate(vehicle.bogie):
             axles = []
             for k, axle in enumerate(bogie.axle):
-                own = None if axle.brake is None else f"{axle.brake}@{i}.{j}.{k}"
+                own = None if axle.brake is None else f"{axle.brake}{OF}{i}.{j}.{k}"
                 if own is not None and axle.brake is not None:
                     brakes[own] = train.brakes[axle.brake]
                 axles.append(axle.model_copy(update={"brake": own}))
@@ -97,10 +99,10 @@ def _below(place: Place, step: str, path: str, where: str) -> list[Place]:
         return _entries(place, step, path, where)
     if isinstance(value, dict):
         is_brakes = steps == ("train", "brakes")
-        keys = [k for k in value if step in ("*", str(k).partition("@")[0] if is_brakes else k)]
+        keys = [k for k in value if step in ("*", str(k).partition(OF)[0] if is_brakes else k)]
         if not keys:
-            names = sorted({str(k).partition("@")[0] for k in value})
-            raise RailgripError(unknown_name(where, "name", step, names))
+            known = sorted({str(k).partition(OF)[0] for k in value})
+            raise RailgripError(unknown_name(where, "name", step, known))
         return [
             Place((*steps, key), value[key], _axle_of(key) if is_brakes else position)
             for key in keys
@@ -132,7 +134,7 @@ def _entries(place: Place, step: str, path: str, where: str) -> list[Place]:
 
 
 def _axle_of(key: str) -> tuple[int, ...]:
-    return tuple(int(number) for number in key.partition("@")[2].split("."))
+    return tuple(int(number) for number in key.partition(OF)[2].split("."))
 
 
 def replaced(model: Any, steps: Steps, value: Any) -> Any:
