@@ -16,12 +16,14 @@ from typing import NoReturn
 from cyclopts import App, CycloptsError, Parameter
 
 from railgrip import __version__
+from railgrip.app.commands.campaign import campaign
 from railgrip.app.commands.check import check
 from railgrip.app.commands.compare import compare
 from railgrip.app.commands.contact import contact
 from railgrip.app.commands.demo import demo
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
+from railgrip.app.commands.replay import replay
 from railgrip.app.commands.run import run
 from railgrip.app.commands.schema import schema
 from railgrip.app.commands.tune import tune
@@ -42,7 +44,7 @@ app = App(
     default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
 )
-for command in (demo, run, compare, contact, check, tune, new, schema):
+for command in (demo, run, compare, contact, check, tune, campaign, replay, new, schema):
     app.command(command)
 app.command(list_names, name="list")
 

@@ -45,7 +45,7 @@ def random_column(seed: int, name: str, first: int, last: int) -> FloatArray:
     begin = first // _PER_COUNTER
     generator = np.random.Philox(key=[seed, stream_of(name)], counter=[begin, 0, 0, 0])
     words = generator.random_raw(last - _PER_COUNTER * begin)[first - _PER_COUNTER * begin :]
-    uniform: FloatArray = ((words >> np.uint64(11)) + 0.5) / 2.0**53
+    uniform: FloatArray = ((words >> np.uint64(11)).astype(np.float64) + 0.5) * 2.0**-53
     return uniform
 
 
