@@ -10,12 +10,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+import railgrip
 from railgrip.campaign.batch import Batches
 from railgrip.campaign.campaign_file import CampaignFile
+from railgrip.campaign.cluster import cluster, failed, remote_table
 from railgrip.campaign.statistics import Estimate, judged
 from railgrip.campaign.store import Store, claim
 from railgrip.core.errors import RailgripError, unknown_name
 
+Handing = Callable[[Executor, int, int, int], Future[Any]]
+"""Hands a chunk (number, first run, last run) to an executor."""
 GROWTH = 1.1
 """The interval is looked at whenever the runs have grown by so much."""
 
@@ -45,6 +49,7 @@ def run_campaign(
     *,
     threads: int = 1,
     seconds: float | None = None,
+    address: str | None = None,
     progress: Callable[[Progress], None] | None = None,
 ) -> Store:
     """Run a campaign in its folder, from where it stands, until it ends or the time is up.
@@ -59,6 +64,8 @@ def run_campaign(
         Chunks worked on at once; the results do not depend on it.
     seconds : float, optional
         Time after which no further chunk is begun [s].
+    address : str, optional
+        Of a Dask scheduler whose workers make the chunks, in place of threads.
     progress : callable, optional
         Called whenever a chunk has been written.
 
@@ -78,17 +85,29 @@ def run_campaign(
     session = _Session(campaign, store, progress)
     if session.is_over():
         return store
-    with ThreadPoolExecutor(threads) as pool:
-        work = _work_of(batches, store)
-        session.go(pool, work, 2 * threads if threads > 1 else 1, seconds)
+    if address is None:
+        with ThreadPoolExecutor(threads) as pool:
+            work = _work_of(batches, store)
+            session.go(pool, work, 2 * threads if threads > 1 else 1, seconds)
+    else:
+        with cluster(address) as (executor, workers):
+            text = campaign.model_dump_json(by_alias=True)
+
+            def away(pool: Executor, chunk: int, first: int, last: int) -> Future[Any]:
+                return pool.submit(remote_table, text, railgrip.__version__, first, last)
+
+            session.go(executor, away, 2 * workers, seconds)
     return store
 
 
-def _work_of(batches: Batches, store: Store) -> Callable[[int, int, int], int]:
-    def work(chunk: int, first: int, last: int) -> int:
+def _work_of(batches: Batches, store: Store) -> Handing:
+    def make(chunk: int, first: int, last: int) -> int:
         return store.write(chunk, batches.table(first, last))
 
-    return work
+    def hand(pool: Executor, chunk: int, first: int, last: int) -> Future[Any]:
+        return pool.submit(make, chunk, first, last)
+
+    return hand
 
 
 class _Session:
@@ -147,25 +166,34 @@ class _Session:
                 return True
         return False
 
-    def go(
-        self, pool: Executor, work: Callable[[int, int, int], int], ahead: int, seconds: Any
-    ) -> None:
+    def _finish(self, future: Future[Any], chunk: int) -> None:
+        """Take note of a chunk; one that was made elsewhere is written here."""
+        try:
+            made = future.result()
+        except RailgripError:
+            raise
+        except Exception as error:
+            first = chunk * self.campaign.chunk
+            raise failed(error, first, self.campaign.sampling.seed) from None
+        self.made += made if isinstance(made, int) else self.store.write(chunk, made)
+        self.done.add(chunk)
+
+    def go(self, pool: Executor, hand: Handing, ahead: int, seconds: Any) -> None:
         """Work until the end, or until the time is up."""
         waiting = self._todo()
-        running: dict[Future[int], int] = {}
+        running: dict[Future[Any], int] = {}
         try:
             while True:
                 while len(running) < ahead and not self._is_late(seconds):
                     job = next(waiting, None)
                     if job is None:
                         break
-                    running[pool.submit(work, *job)] = job[0]
+                    running[hand(pool, *job)] = job[0]
                 if not running:
                     break
                 ready, _ = wait(running, return_when=FIRST_COMPLETED)
                 for future in ready:
-                    self.made += future.result()
-                    self.done.add(running.pop(future))
+                    self._finish(future, running.pop(future))
                 if self._ends_by_width(self._unbroken()):
                     _drop(running)
                     self.store.drop_beyond(int(self.store.ended()["runs"]))
@@ -194,7 +222,7 @@ class _Session:
             self.progress(Progress(runs, self.campaign.runs, rate, self.estimate))
 
 
-def _drop(running: dict[Future[int], int]) -> None:
+def _drop(running: dict[Future[Any], int]) -> None:
     """Cancel what has not begun and wait for what has: its parts are whole and stay."""
     for future in running:
         future.cancel()

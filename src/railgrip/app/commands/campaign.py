@@ -28,6 +28,7 @@ def run(
     until: float | None = None,
     time: str | None = None,
     threads: int = 1,
+    cluster: str | None = None,
     no_report: bool = False,
     as_json: Json = False,
 ) -> int:
@@ -47,6 +48,8 @@ def run(
         Begin no further chunk after this time, e.g. "90 s", "2 h".
     threads
         Chunks worked on at once; results do not depend on it.
+    cluster
+        Address of a Dask scheduler whose workers make the runs, e.g. tcp://host:8786.
     no_report
         Write no page.
     as_json
@@ -66,7 +69,7 @@ def run(
         with _Bar(name) as bar:
             store = run_campaign(
                 cell.campaign, cell.folder, threads=threads, seconds=_seconds(time),
-                progress=bar.show,
+                address=cluster, progress=bar.show,
             )  # fmt: skip
         done.append((cell, store))
     figure = _judged(asked)
