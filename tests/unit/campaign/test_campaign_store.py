@@ -43,7 +43,7 @@ def test_threads_and_pauses_change_no_byte(done, tmp_path) -> None:
 
 
 def test_a_width_ends_it_where_it_always_ends(done, tmp_path) -> None:
-    until = {"figure": "stopping_distance", "width": "3 m"}
+    until = {"figure": "stopping_distance", "width": "2.2 m"}
     for threads in (1, 2):
         store = run_campaign(asked(until=until), tmp_path / f"{threads}", threads=threads)
         assert store.ended() == {"runs": 64, "why": "width"}
