@@ -1,8 +1,8 @@
 """Campaigns: runs a second and core, the cost beside the engine, two threads, and memory.
 
-Three campaigns: the shipped one (four-car train on dry rail, 49 draws a run), the eight-axle unit of
-EN 14531 without sliding, and the four-car train sliding with wheel-slide protection. The cost beside
-the engine is the time of drawing, laying out, collecting and writing over that of the kernel, on one
+The shipped campaign (four-car train on dry rail, 49 draws a run), the eight-axle unit of EN 14531
+without sliding, and the four-car train sliding with wheel-slide protection. The cost beside the
+engine is the time of drawing, laying out, collecting and writing over that of the kernel, on one
 thread. Full size is one million stops of the eight-axle unit and 20 000 of the sliding train.
 
     python benchmarks/bench_campaign.py [--quick] [--out FILE]

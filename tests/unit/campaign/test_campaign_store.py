@@ -6,9 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from railgrip.campaign import cluster
 from railgrip.campaign import store as stores
 from railgrip.campaign.campaign_file import campaign_from
 from railgrip.campaign.exporting import catalogue, export
+from railgrip.campaign.replaying import replay
 from railgrip.campaign.running import run_campaign
 from railgrip.core.errors import RailgripError
 
@@ -106,6 +108,19 @@ def test_a_full_disk_loses_nothing(tmp_path, monkeypatch) -> None:
     assert parts(folder) == kept
     monkeypatch.undo()
     assert run_campaign(asked(), folder).ended()["runs"] == 100
+
+
+def test_a_cluster_that_does_not_answer(tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr(cluster, "PATIENCE", 0.2)
+    with pytest.raises(RailgripError, match="no Dask scheduler answers at tcp://127"):
+        run_campaign(asked(), tmp_path / "far", address="tcp://127.0.0.1:1")
+    with pytest.raises(RailgripError, match="no Dask scheduler answers at nowhere"):
+        run_campaign(asked(), tmp_path / "far", address="nowhere://x")
+
+
+def test_a_run_that_there_is_not_cannot_be_replayed(done) -> None:
+    with pytest.raises(RailgripError, match="no such run; got 100; allowed: 0 to 99"):
+        replay(stores.open_campaign(done), 100)
 
 
 def test_export_and_catalogue(done, tmp_path) -> None:
