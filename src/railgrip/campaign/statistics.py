@@ -46,7 +46,8 @@ def mean(values: FloatArray, confidence: float = CONFIDENCE) -> Estimate:
     middle = float(np.mean(values)) if n else float("nan")
     if n < 2:
         return Estimate(middle, -np.inf, np.inf)
-    half = stdtrit(n - 1, 0.5 + confidence / 2) * float(np.std(values, ddof=1)) / np.sqrt(n)
+    score = float(stdtrit(n - 1, 0.5 + confidence / 2))
+    half = score * float(np.std(values, ddof=1)) / n**0.5
     return Estimate(middle, middle - half, middle + half)
 
 

@@ -123,6 +123,15 @@ def test_a_run_that_there_is_not_cannot_be_replayed(done) -> None:
         replay(stores.open_campaign(done), 100)
 
 
+def test_a_read_only_folder(tmp_path, monkeypatch) -> None:
+    def shut(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "mkdir", shut)
+    with pytest.raises(RailgripError, match="cannot be used; got Permission denied"):
+        stores.claim(tmp_path / "walk", asked())
+
+
 def test_export_and_catalogue(done, tmp_path) -> None:
     import xarray as xr
 
