@@ -35,7 +35,7 @@ MASS = {
     "distribution": {"kind": "normal", "mean": 1, "deviation": 0.02},
 }
 FULL = {"eight axles, dry": 1_000_000, "four cars, sliding": 20_000, "four cars, dry": 20_000}
-QUICK = {"eight axles, dry": 512, "four cars, sliding": 64, "four cars, dry": 128}
+QUICK = {"eight axles, dry": 4096, "four cars, sliding": 512, "four cars, dry": 1024}
 
 
 def asked(name: str, runs: int) -> CampaignFile:
@@ -64,9 +64,11 @@ class Kernel:
 
 
 def timed(name: str, runs: int, threads: int, folder: Path) -> tuple[float, float, float]:
-    """Return wall, CPU and kernel seconds of the runs alone, set-up left out."""
-    batches = batch.Batches(asked(name, runs))
-    batches.table(0, 16)
+    """Return wall, CPU and kernel seconds of the runs; what set-up alone takes is taken off."""
+    batch.Batches(asked(name, runs)).table(0, 16)
+    wall_before, cpu_before = time.perf_counter(), time.process_time()
+    batch.Batches(asked(name, runs))
+    wall_set, cpu_set = time.perf_counter() - wall_before, time.process_time() - cpu_before
     kernel = Kernel()
     batch.compute = kernel
     try:
@@ -75,7 +77,7 @@ def timed(name: str, runs: int, threads: int, folder: Path) -> tuple[float, floa
         wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
     finally:
         batch.compute = kernel._compute
-    return wall, cpu, kernel.seconds
+    return wall - wall_set, cpu - cpu_set, kernel.seconds
 
 
 def main() -> None:
@@ -94,7 +96,7 @@ def main() -> None:
             ]
             peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
             rows.append((f"greatest memory so far, {name}", peak, "MiB", ""))
-    report("Campaigns, set-up of the scenario included", rows, chosen.out)
+    report("Campaigns, set-up of the scenario left out", rows, chosen.out)
 
 
 if __name__ == "__main__":

@@ -101,7 +101,10 @@ def write_page(store: Store, figure: str, with_tornado: bool = True) -> Path:
         try:
             middle, swings = tornado(Batches(store.campaign), figure)
             picture = plots.tornado(middle, swings, how, axis)
-            text = "One variable at a time, all others at their medians, on one and the same rail."
+            text = (
+                "One variable at a time, in all its places together, all others at their medians, "
+                "on one and the same rail."
+            )
             sections.append(Section("What matters most", text, figure=picture))
         except (RailgripError, TypeError) as error:
             sections.append(Section("What matters most", f"No tornado: {error}"))

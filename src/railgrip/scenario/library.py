@@ -20,6 +20,7 @@ FOLDERS = {
     "rail_condition": "rail_conditions",
     "contact_pair": "contact_pairs",
     "scenario": "scenarios",
+    "campaign": "campaigns",
 }
 """Kind of description → its folder in the shipped data."""
 
