@@ -16,6 +16,7 @@ from typing import NoReturn
 from cyclopts import App, CycloptsError, Parameter
 
 from railgrip import __version__
+from railgrip.app.commands.campaign import campaign
 from railgrip.app.commands.campaign_safety import safety
 from railgrip.app.commands.check import check
 from railgrip.app.commands.compare import compare
@@ -28,6 +29,7 @@ from railgrip.app.commands.import_file import import_file
 from railgrip.app.commands.list_names import list_names
 from railgrip.app.commands.new import new
 from railgrip.app.commands.qualify import qualify
+from railgrip.app.commands.replay import replay
 from railgrip.app.commands.run import run
 from railgrip.app.commands.schema import schema
 from railgrip.app.commands.tune import tune
@@ -49,14 +51,13 @@ app = App(
     suppress_keyboard_interrupt=False,
 )
 for command in (
-    demo, run, compare, qualify, identify, tune, drive, etcs, contact, check, new, schema,
+    demo, run, compare, qualify, campaign, replay, identify, tune, drive, etcs, contact, check, new,
+    schema,
 ):  # fmt: skip
     app.command(command)
 app.command(import_file, name="import")
 app.command(list_names, name="list")
-campaign = App(name="campaign", help="Many runs: how surely, how far, how often.")
 campaign.command(safety)
-app.command(campaign)
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:

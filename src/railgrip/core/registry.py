@@ -18,6 +18,7 @@ from typing import Any
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 
 GROUPS = {
+    "railgrip.collectors": "collector",
     "railgrip.controllers": "controller",
     "railgrip.friction_laws": "friction law",
     "railgrip.laws": "law",

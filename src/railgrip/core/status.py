@@ -17,6 +17,7 @@ class RunStatus(IntEnum):
     DIVERGED = 6
     CONTROLLER_FAILED = 7
     COMPLETED = 8
+    IMPOSSIBLE = 9
 
 
 _SENTENCES = {
@@ -43,6 +44,10 @@ _SENTENCES = {
         "The controller returned something that is no command; run 'railgrip check' on it."
     ),
     RunStatus.COMPLETED: "The time that was asked for has passed.",
+    RunStatus.IMPOSSIBLE: (
+        "The run was not made: a number that was drawn lies outside what the scenario allows; "
+        "try a truncated distribution."
+    ),
 }
 
 

@@ -13,7 +13,7 @@ from railgrip.core.errors import RailgripError, unknown_name
 
 KINDS = (
     "trains", "point_trains", "rolling_stock", "lines", "journeys", "rail_conditions",
-    "contact_pairs", "pads", "discs", "scenarios", "profiles", "safety",
+    "contact_pairs", "pads", "discs", "scenarios", "profiles", "safety", "campaigns",
 )  # fmt: skip
 """The kinds of shipped data; each is a folder of this package."""
 

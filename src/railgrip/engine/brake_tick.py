@@ -192,16 +192,18 @@ def pad_pass(lanes: Any, S: Any, b: int, brake: Any) -> None:
         for k in range(L):
             clamp, rubbing, hot = _pad_inputs(L, S, b, k)
             S[b + at.PAD_FRICTION * L + k] = _constant(
-                ConstantFriction(brake[2]), clamp, rubbing, hot
+                ConstantFriction(S[b + at.PAD_LEVEL * L + k]), clamp, rubbing, hot
             )
     elif law == layout.PAD_KARWATZKI:
-        block = KarwatzkiParameters(brake[2], brake[3], brake[4], brake[5], brake[6])
         for k in range(L):
+            level = S[b + at.PAD_LEVEL * L + k]
+            block = KarwatzkiParameters(level, brake[2], brake[3], brake[4], brake[5])
             clamp, rubbing, hot = _pad_inputs(L, S, b, k)
             S[b + at.PAD_FRICTION * L + k] = _karwatzki(block, clamp, rubbing, hot)
     elif law == layout.PAD_PIECEWISE:
-        pad = PiecewiseFriction(brake[2], _hinges(brake, 3), _hinges(brake, 12), _hinges(brake, 21))
+        warmth, speed, force = _hinges(brake, 2), _hinges(brake, 11), _hinges(brake, 20)
         for k in range(L):
+            pad = PiecewiseFriction(S[b + at.PAD_LEVEL * L + k], warmth, speed, force)
             clamp, rubbing, hot = _pad_inputs(L, S, b, k)
             S[b + at.PAD_FRICTION * L + k] = _piecewise(pad, clamp, rubbing, hot)
     for k in range(L):

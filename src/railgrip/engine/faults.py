@@ -29,8 +29,9 @@ _normal = inlined(standard_normal)
 
 
 @inlined
-def _acts(faults: Any, i: int, tick: int) -> bool:
-    return bool(faults.begin[i] <= tick < faults.end[i])
+def _acts(faults: Any, i: int, tick: int, run: int) -> bool:
+    happens = faults.happens[run if faults.happens.shape[0] > 1 else 0, i] == 1
+    return bool(happens and faults.begin[i] <= tick < faults.end[i])
 
 
 @compiled
@@ -39,9 +40,10 @@ def break_sensors(L: int, S: Any, faults: Any, moment: int, seed: int, k: int) -
     now = (at.SPEED_HISTORY + (moment & WRAP)) * L + k
     before = (at.SPEED_HISTORY + ((moment - 1) & WRAP)) * L + k
     tick = int(S[at.TICK * L + k])
+    run, number = int(S[at.RUN * L + k]), int(S[at.NUMBER * L + k])
     for i in range(faults.axle.shape[0]):
         kind = faults.kind[i]
-        if kind > SENSOR_SCALED or not _acts(faults, i, tick):
+        if kind > SENSOR_SCALED or not _acts(faults, i, tick, run):
             continue
         b = (1 + faults.axle[i]) * at.N_VARS * L
         if kind == SENSOR_LOST:
@@ -51,7 +53,7 @@ def break_sensors(L: int, S: Any, faults: Any, moment: int, seed: int, k: int) -
         elif kind == SENSOR_FROZEN:
             S[b + now] = S[b + before]
         elif kind == SENSOR_NOISY:
-            normal = _normal(tick, int(S[at.RUN * L + k]), NOISE_STREAM + faults.axle[i], seed)
+            normal = _normal(tick, number, NOISE_STREAM + faults.axle[i], seed)
             S[b + now] = abs(S[b + now] + faults.value[i] * normal)
         else:
             S[b + now] *= faults.value[i]
@@ -68,7 +70,7 @@ def break_valves(
         kind = faults.kind[i]
         if faults.axle[i] != axle or not VALVE_FILLS <= kind <= VALVE_DELAYED:
             continue
-        if not _acts(faults, i, tick):
+        if not _acts(faults, i, tick, int(S[at.RUN * L + k])):
             continue
         vents = kind == VALVE_VENTS
         fills = kind == VALVE_FILLS
@@ -85,8 +87,8 @@ def break_valves(
 @compiled
 def seize_axles(L: int, S: Any, faults: Any, k: int) -> None:
     """Add the friction of seized bearings to the brakes of lane k."""
-    tick = int(S[at.TICK * L + k])
+    tick, run = int(S[at.TICK * L + k]), int(S[at.RUN * L + k])
     for i in range(faults.axle.shape[0]):
-        if faults.kind[i] == AXLE_LOCKED and _acts(faults, i, tick):
+        if faults.kind[i] == AXLE_LOCKED and _acts(faults, i, tick, run):
             b = (1 + faults.axle[i]) * at.N_VARS * L + k
             S[b + at.BRAKE_LIMIT * L] += SEIZED * S[b + at.STATIC_LOAD * L]

@@ -57,7 +57,7 @@ def lower(scenario: Scenario, control_period: float, parameters: FloatArray) -> 
     """
     table, brakes = lower_train(scenario)
     way = _way(scenario)
-    creep_law, creep_tables = find_creep_law(scenario, way.conditions)
+    creep_law, creep_tables = find_creep_law(scenario, way.conditions[0])
     return Plan(
         way=way,
         timing=_timing(scenario, control_period),
@@ -146,7 +146,7 @@ def _formation(scenario: Scenario, table: FloatArray, brakes: FloatArray) -> For
         is_continuous = brake is not None and brake.fill == "lag"
         setup[i, ctl.CONTINUOUS] = is_continuous
         setup[i, ctl.BRAKED] = is_continuous or (brake is not None and train.dump_valve is not None)
-        _put_forces(setup[i], table[1 + i], brake is not None)
+        _put_forces(setup[i], table[1 + i], brake is not None and not place.axle.isolated)
     places = [(place.vehicle, place.bogie) for place in axles]
     bogies = sorted(set(places))
     setup[:, ctl.BOGIE] = [bogies.index(place) for place in places]
@@ -158,7 +158,7 @@ def _formation(scenario: Scenario, table: FloatArray, brakes: FloatArray) -> For
         inverter_of_axle=_inverters(scenario),
         vehicle_front=np.array(train.vehicle_fronts()),
         vehicle_length=np.array([vehicle.length for vehicle in train.vehicle]),
-        vehicle_share=masses / masses.sum(),
+        vehicle_share=(masses / masses.sum())[None],
         reservoir_volume=np.full(n_vehicles, air.volume if air else 1.0),
         reservoir_pressure=np.full(n_vehicles, air.pressure if air else ENDLESS),
         reservoir_recharge=np.full(n_vehicles, air.recharge if air else 0.0),
@@ -209,6 +209,7 @@ def _faults(scenario: Scenario) -> Faults:
         end=np.array(ends, dtype=np.int64),
         value=np.array([fault.value for fault in found], dtype=np.float64),
         ticks=np.array(delays, dtype=np.int64),
+        happens=np.array([[int(fault.happens) for fault in found]], dtype=np.int64),
     )
 
 
@@ -252,7 +253,7 @@ def _way(scenario: Scenario) -> Way:
         first_node=round(origin / FIELD_STEP),
         cells_to_forget=math.ceil(FORGOTTEN * field.correlation_length / length) if field else 0,
         correlation=math.exp(-FIELD_STEP / field.correlation_length) if field else 0.0,
-        relative_spread=field.spread / field.mean if field else 0.0,
+        relative_spread=np.array([field.spread / field.mean if field else 0.0]),
         seed=seed,
         sand_friction=sander.rail_friction if sander else 0.0,
         effective_sand=sander.dose if sander else 1.0,
@@ -293,7 +294,7 @@ def _conditions(scenario: Scenario, origin: float, length: float) -> tuple[Float
     of_cell = np.zeros(n_cells, dtype=np.int64)
     for i, patch in enumerate(rail.patch):
         of_cell[(centres >= patch.begin) & (centres < patch.end)] = i + 1
-    return np.array(rows), of_cell
+    return np.array(rows)[None], of_cell
 
 
 def _profile(line: Line, origin: float) -> tuple[FloatArray, FloatArray]:

@@ -142,12 +142,26 @@ def contact_geometry(scenario: Scenario, i: int) -> tuple[float, float, float, f
 def _contact_values(scenario: Scenario, i: int, load: float, gain: float) -> dict[str, float]:
     geometry = (load / 2, *contact_geometry(scenario, i))
     patch = hertz_1882(*geometry)
+    return contact_numbers(
+        patch.a, kalker_slope(*geometry), flash_parts(patch.a, patch.b), load, gain
+    )
+
+
+def flash_parts(a: float, b: float) -> tuple[float, float]:
+    """Return squared conductances of a patch: of resting steel, and per speed of moving steel."""
+    still = flash_conductance(STEEL_ERTZ_2002, a, b, 0.0) ** 2
+    return still, flash_conductance(STEEL_ERTZ_2002, a, b, 1.0) ** 2 - still
+
+
+def contact_numbers(
+    a: float, slope: float, flash: tuple[float, float], load: float, gain: float
+) -> dict[str, float]:
+    """Return the numbers of an axle's contacts from those of one wheel."""
+    still, moving = flash
     # a patch grows with the load^(1/3), so what moving steel takes up grows with its root
-    still = flash_conductance(STEEL_ERTZ_2002, patch.a, patch.b, 0.0) ** 2
-    moving = flash_conductance(STEEL_ERTZ_2002, patch.a, patch.b, 1.0) ** 2 - still
     return {
-        "KALKER_SLOPE": 2 * kalker_slope(*geometry),
-        "RELAXATION_LENGTH": 8 * patch.a / (3 * np.pi),
+        "KALKER_SLOPE": 2 * slope,
+        "RELAXATION_LENGTH": 8 * a / (3 * np.pi),
         "FLASH_STILL": still,
         "FLASH_MOVING": moving,
         "FLASH_TRANSFER": moving * gain / load,
@@ -167,7 +181,7 @@ def _axle_values(scenario: Scenario, i: int) -> tuple[dict[str, float], FloatArr
         "OFFSET": place.behind_front,
         "AMBIENT": scenario.run.ambient,
         "START_TEMPERATURE": scenario.run.ambient,
-        "PAD_FACTOR": 1.0,
+        "PAD_FACTOR": axle.friction_factor,
         "LEARNED_FRICTION": 1.0,
         "TEMPERATURE_ERROR": 0.0,
         "PRESSURE_LIMIT": ENDLESS,
@@ -186,20 +200,30 @@ def _axle_values(scenario: Scenario, i: int) -> tuple[dict[str, float], FloatArr
     row = np.zeros(at.BRAKE_COLUMNS)
     if brake is not None:
         row[0] = FILLING[brake.fill]
-        numbers = _pad_numbers(brake.pad)
-        row[1 : 1 + len(numbers)] = numbers
+        shape = _pad_shape(brake.pad)
+        row[1 : 1 + len(shape)] = shape
+        values["PAD_LEVEL"] = pad_level(brake.pad)
+    if axle.isolated:
+        values |= UNBRAKED
     return values, row
 
 
-def _pad_numbers(pad: Pad) -> list[float]:
+def _pad_shape(pad: Pad) -> list[float]:
+    """Return law and numbers of a pad but its level: how friction depends on the rest."""
     if isinstance(pad, ConstantPad):
-        return [at.PAD_CONSTANT, pad.friction]
+        return [at.PAD_CONSTANT]
     if isinstance(pad, KarwatzkiPad):
-        forces = [pad.force_high, pad.force_low, pad.speed_high, pad.speed_low]
-        return [at.PAD_KARWATZKI, pad.base, *forces]
+        return [at.PAD_KARWATZKI, pad.force_high, pad.force_low, pad.speed_high, pad.speed_low]
     assert isinstance(pad, PiecewisePad)
     curves = [hinges_from_points(c) for c in (pad.temperature, pad.speed, pad.clamp_force)]
-    return [at.PAD_PIECEWISE, pad.reference_friction, *(n for curve in curves for n in curve)]
+    return [at.PAD_PIECEWISE, *(n for curve in curves for n in curve)]
+
+
+def pad_level(pad: Pad) -> float:
+    """Return the number that the friction of a pad is proportional to."""
+    if isinstance(pad, ConstantPad):
+        return pad.friction
+    return pad.base if isinstance(pad, KarwatzkiPad) else pad.reference_friction
 
 
 def nominal_friction(pad: Pad, clamp_force: float) -> float:
@@ -216,7 +240,7 @@ def _brake_values(
     brake: FrictionBrake | None, wheel_radius: float, factor: float
 ) -> dict[str, float]:
     if brake is None:
-        return _unbraked()
+        return dict(UNBRAKED)
     rigging = brake.rigging_ratio * brake.rigging_efficiency * brake.units
     slope = brake.cylinder_area * brake.cylinder_efficiency * rigging
     offset = brake.cylinder_spring * rigging + brake.rigging_spring * brake.units
@@ -288,14 +312,14 @@ def _cold() -> dict[str, float]:
     }  # fmt: skip
 
 
-def _unbraked() -> dict[str, float]:
-    return {
-        "FULL_PRESSURE": 1.0, "PER_FULL_PRESSURE": 1.0, "PER_FULL_FORCE": 1.0,
-        "CLAMP_PER_PRESSURE": 0.0, "CLAMP_OFFSET": 0.0, "HYSTERESIS": 0.0,
-        "TREAD_PER_CLAMP": 0.0, "CLAMP_PER_BLOCK": 0.0, "RUBBING_RATIO": 0.0, "FULL_FORCE": 1.0,
-        "DEMAND_DELAY": 0.0, "FILL_RATE": 0.0, "INSHOT_RATE": 0.0, "INSHOT_PRESSURE": 0.0,
-        "RELEASE_RATE": 0.0, **_cold(),
-    }  # fmt: skip
+UNBRAKED = {
+    "FULL_PRESSURE": 1.0, "PER_FULL_PRESSURE": 1.0, "PER_FULL_FORCE": 1.0,
+    "CLAMP_PER_PRESSURE": 0.0, "CLAMP_OFFSET": 0.0, "HYSTERESIS": 0.0,
+    "TREAD_PER_CLAMP": 0.0, "CLAMP_PER_BLOCK": 0.0, "RUBBING_RATIO": 0.0, "FULL_FORCE": 1.0,
+    "DEMAND_DELAY": 0.0, "FILL_RATE": 0.0, "INSHOT_RATE": 0.0, "INSHOT_PRESSURE": 0.0,
+    "RELEASE_RATE": 0.0, "PAD_LEVEL": 0.0, **_cold(),
+}  # fmt: skip
+"""Numbers of an axle without a friction brake, or with one that is isolated."""
 
 
 def _dynamic_values(scenario: Scenario, is_motored: bool) -> dict[str, float]:

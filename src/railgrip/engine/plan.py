@@ -24,8 +24,9 @@ class Way(NamedTuple):
         [m].
     condition_of_cell : int array (cell)
         Row of `conditions` for each cell.
-    conditions : float array (condition, 11)
-        Contaminated friction state (5), clean one (5), cleaning rate [m/J].
+    conditions : float array (1 or run, condition, 11)
+        Contaminated friction state (5), clean one (5), cleaning rate [m/J]; the same for every run,
+        or each run its own.
     elevation_step : float
         Spacing of `elevation` and `curve_work` along the line from `origin`, [m].
     elevation, curve_work : float array
@@ -36,7 +37,7 @@ class Way(NamedTuple):
         Random field: on or off; its nodes in a cell; number of the first, counted from the line's
         beginning; cells after which it has forgotten how it began.
     correlation, relative_spread, seed
-        From node to node; standard deviation over mean; key.
+        From node to node; standard deviation over mean (1 or run); key.
     sand_friction, effective_sand : float
         See track.sanding.
     """
@@ -55,7 +56,7 @@ class Way(NamedTuple):
     first_node: int
     cells_to_forget: int
     correlation: float
-    relative_spread: float
+    relative_spread: FloatArray
     seed: int
     sand_friction: float
     effective_sand: float
@@ -87,7 +88,10 @@ class Timing(NamedTuple):
 
 
 class Formation(NamedTuple):
-    """How the axles hang together: vehicle of each axle, and the vehicles' reservoirs and mass."""
+    """How the axles hang together: vehicle of each axle, and the vehicles' reservoirs and mass.
+
+    ``vehicle_share`` (1 or run, vehicle) is each vehicle's share of the mass.
+    """
 
     vehicle_of_axle: IntArray
     inverter_of_axle: IntArray
@@ -117,6 +121,8 @@ class Faults(NamedTuple):
         Noise, factor or delay.
     ticks : int array
         The delay in ticks.
+    happens : int array (1 or run, fault)
+        Whether it happens at all.
     """
 
     axle: IntArray
@@ -125,6 +131,7 @@ class Faults(NamedTuple):
     end: IntArray
     value: FloatArray
     ticks: IntArray
+    happens: IntArray
 
 
 class CreepTables(NamedTuple):
@@ -193,10 +200,13 @@ class Overrides(NamedTuple):
         Places in `Plan.parameters`, flattened.
     value : float array (run, k)
         Their values for each run.
+    number : int array (run)
+        Each run's number in the whole of a campaign: its random rail and noise follow from it.
     """
 
     target: IntArray
     value: FloatArray
+    number: IntArray
 
 
 class Memory(NamedTuple):

@@ -37,6 +37,12 @@ FIRST_CELL_STREAM = 2
 
 
 @compiled
+def own_row(rows: int, run: float) -> int:
+    """Return the row of a table that has one row for all runs, or one for each."""
+    return int(run) if rows > 1 else 0
+
+
+@compiled
 def lay_rail(
     L: int, S: Any, energy: Any, factor: Any, sand: Any, way: Any, k: int, cell: int
 ) -> None:
@@ -44,7 +50,8 @@ def lay_rail(
     mask = energy.shape[0] // L - 1
     front = int(S[at.RAIL_FRONT * L + k])
     field = S[at.FIELD * L + k]
-    run = int(S[at.RUN * L + k])
+    number = int(S[at.NUMBER * L + k])
+    spread = way.relative_spread[own_row(way.relative_spread.shape[0], S[at.RUN * L + k])]
     while front < cell:
         front += 1
         slot = (front & mask) * L + k
@@ -53,9 +60,9 @@ def lay_rail(
         if way.is_random == 1:
             for node in range(way.nodes_per_cell):
                 place = way.first_node + front * way.nodes_per_cell + node
-                normal = _normal(place, run, RAIL_STREAM, way.seed)
+                normal = _normal(place, number, RAIL_STREAM, way.seed)
                 field = _next_field(field, way.correlation, normal)
-            factor[slot] = _factor(field, way.relative_spread)
+            factor[slot] = _factor(field, spread)
         else:
             factor[slot] = 1.0
     S[at.FIELD * L + k] = field
@@ -114,7 +121,8 @@ def enter_cells(
     k: int,
 ) -> None:  # fmt: skip
     """Let the axles of a lane read the cells that they reach within a time `ahead`."""
-    conditions, of_cell = way.conditions, way.condition_of_cell
+    of_cell = way.condition_of_cell
+    conditions = way.conditions[own_row(way.conditions.shape[0], S[at.RUN * L + k])]
     per_metre = 1.0 / way.cell_length
     front = (S[at.POSITION * L + k] + S[at.TRAIN_SPEED * L + k] * ahead - way.origin) * per_metre
     cell_ahead = math.floor(front) + 3
@@ -198,12 +206,13 @@ def line_forces(L: int, S: Any, way: Any, formation: Any, ahead: float, k: int) 
     """Gradient and curve force on the train, each vehicle a strip of mass."""
     elevation, curve_work = way.elevation, way.curve_work
     front = S[at.POSITION * L + k] + S[at.TRAIN_SPEED * L + k] * ahead - way.origin
+    shares = formation.vehicle_share[own_row(formation.vehicle_share.shape[0], S[at.RUN * L + k])]
     slope = 0.0
     curve = 0.0
     for vehicle in range(formation.vehicle_front.shape[0]):
         near = (front - formation.vehicle_front[vehicle]) / way.elevation_step
         far = near - formation.vehicle_length[vehicle] / way.elevation_step
-        share = formation.vehicle_share[vehicle] / formation.vehicle_length[vehicle]
+        share = shares[vehicle] / formation.vehicle_length[vehicle]
         slope += share * (_interpolate(elevation, near) - _interpolate(elevation, far))
         curve += share * (_interpolate(curve_work, near) - _interpolate(curve_work, far))
     weight = S[at.TRAIN_MASS * L + k] * GRAVITY

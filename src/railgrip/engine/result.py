@@ -164,6 +164,11 @@ def _outcomes(scenario: Scenario, out: Outcome) -> Variables:
     return found
 
 
+def figures_of(scenario: Scenario, out: Outcome) -> dict[str, FloatArray]:
+    """Return what a batch amounts to: one value for each run, or for each run and axle."""
+    return {name: values for name, (_, values) in _outcomes(scenario, out).items()}
+
+
 def flat_length(locked_work: FloatArray, wheel_radius: FloatArray) -> FloatArray:
     """Return the length of the flat that locked sliding grinds into each wheel.
 
@@ -275,7 +280,7 @@ def _rail(plan: Plan, rail: Memory, front: float) -> tuple[Variables, FloatArray
     n_cells = min(max(n_cells, 0), len(rail.ring_energy), len(way.condition_of_cell))
     cells = np.arange(n_cells)
     position = np.array(way.origin + (cells + 0.5) * way.cell_length, dtype=np.float64)
-    rows = way.conditions[way.condition_of_cell[:n_cells]]
+    rows = way.conditions[0, way.condition_of_cell[:n_cells]]
     before = rows[:, 0] * rail.ring_factor[:n_cells]
     clean = np.maximum(rows[:, 5], before)
     energy, sand = rail.ring_energy[:n_cells], rail.ring_sand[:n_cells]

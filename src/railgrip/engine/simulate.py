@@ -160,7 +160,8 @@ def overrides(prepared: Prepared, variations: Variations, n_runs: int) -> Overri
         else:
             raise RailgripError(unknown_name("", "quantity", name, train_names + axle_names))
     value = np.stack(columns, axis=1) if columns else np.zeros((n_runs, 0))
-    return Overrides(np.array(index, dtype=np.int64), np.ascontiguousarray(value))
+    number = np.arange(n_runs, dtype=np.int64)
+    return Overrides(np.array(index, dtype=np.int64), np.ascontiguousarray(value), number)
 
 
 def nominal_numbers(scenario: Scenario) -> dict[str, Any]:
@@ -246,14 +247,35 @@ def simulate(
     prepared = prepare(scenario, controller)
     traced = runs == 1 if traces is None else traces
     changes = overrides(prepared, variations or {}, runs)
-    out = outcome(prepared, runs, traced)
-    if is_compiled(prepared.controller):
-        rail = _run_compiled(prepared, changes, out, threads, traced, progress)
-    else:
-        rail = _run_plain(prepared, changes, out, traced, progress)
+    return run_prepared(prepared, changes, traced, threads, progress)
+
+
+def run_prepared(
+    prepared: Prepared,
+    changes: Overrides,
+    traced: bool,
+    threads: int = 1,
+    progress: Callable[[int], None] | None = None,
+) -> Result:
+    """Run what `prepare` has laid out, with the numbers that differ from run to run."""
+    out, rail = compute(prepared, changes, traced, threads, progress)
     parameters: Any = getattr(prepared.controller, "parameters", None)
     named = dict(parameters._asdict()) if hasattr(parameters, "_asdict") else {}
     return Result.from_arrays(prepared.scenario, prepared.plan, out, rail, named)
+
+
+def compute(
+    prepared: Prepared,
+    changes: Overrides,
+    traced: bool = False,
+    threads: int = 1,
+    progress: Callable[[int], None] | None = None,
+) -> tuple[Outcome, Memory | None]:
+    """Return the bare tables of a batch, and the rail of a single run that is traced."""
+    out = outcome(prepared, len(changes.number), traced)
+    if is_compiled(prepared.controller):
+        return out, _run_compiled(prepared, changes, out, threads, traced, progress)
+    return out, _run_plain(prepared, changes, out, traced, progress)
 
 
 def _chunks(runs: int, threads: int) -> Iterator[tuple[int, int]]:

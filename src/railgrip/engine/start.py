@@ -28,6 +28,7 @@ def begin_run(L: int, S: Any, memory: Any, plan: Any, overrides: Any, k: int, ru
         place = overrides.target[i] % at.N_PARAMETERS
         S[(block * at.N_VARS + at.FIRST_PARAMETER + place) * L + k] = overrides.value[run, i]
     S[at.RUN * L + k] = float(run)
+    S[at.NUMBER * L + k] = float(overrides.number[run])
     S[at.STOP_TIME * L + k] = -1.0
     S[at.BRAKE_TIME * L + k] = -1.0
     S[at.TRAIN_SPEED * L + k] = S[at.INITIAL_SPEED * L + k]
@@ -51,7 +52,7 @@ def _begin_rail(L: int, S: Any, memory: Any, way: Any, n_axles: int, k: int) -> 
     # the field forgets where it began: begun far behind, it is the same for any train and start
     first -= way.cells_to_forget
     S[at.RAIL_FRONT * L + k] = float(first - 1)
-    S[at.FIELD * L + k] = field_before(way, int(S[at.RUN * L + k]), first)
+    S[at.FIELD * L + k] = field_before(way, int(S[at.NUMBER * L + k]), first)
     ahead = math.floor((front - way.origin) / way.cell_length) + 3
     lay_rail(L, S, energy, factor, sand, way, k, ahead)
     for axle in range(n_axles):

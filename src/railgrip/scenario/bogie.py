@@ -37,6 +37,17 @@ class Axle(Counted):
         le=1,
         description="Share of the vehicle's weight, normalised; absent: equal.",
     )
+    friction_factor: Dimensionless = Field(
+        default=1.0,
+        ge=0,
+        le=3,
+        description="Friction of this axle's pads or blocks over that of their kind.",
+    )
+    isolated: bool = Field(
+        default=False,
+        strict=True,
+        description="Whether its friction brake is cut out; the controllers do not know.",
+    )
     motor: bool = Field(default=False, strict=True, description="Whether the axle is driven.")
     sander: bool = Field(default=False, strict=True, description="Whether sand falls before it.")
 

@@ -41,6 +41,9 @@ class Fault(Model):
     axle: Text = Field(description="Label of the axle, e.g. C1-V1-B1-A1, or 'all'.")
     kind: FaultKind = Field(description="What is wrong.")
     begin: Time = Field(default=0.0, alias="from", ge=0, le=7200, description="Since the start.")
+    happens: bool = Field(
+        default=True, strict=True, description="False: it is only prepared, for a campaign."
+    )
     end: Time = Field(
         default=math.inf, alias="to", ge=0, description="When it heals; absent: never."
     )

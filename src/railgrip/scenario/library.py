@@ -22,6 +22,7 @@ FOLDERS = {
     "contact_pair": "contact_pairs",
     "scenario": "scenarios",
     "profile": "profiles",
+    "campaign": "campaigns",
 }
 """Kind of description → its folder in the shipped data."""
 

@@ -47,7 +47,7 @@ class Train(Model):
     )
     resistance: Resistance = Field(default=Resistance(), description="Of the whole train.")
     brakes: dict[Name, FrictionBrake] = Field(
-        default={}, max_length=100, description="Friction brakes by name, each for one axle."
+        default={}, max_length=MOST_AXLES, description="Friction brakes by name, each for one axle."
     )
     dump_valve: DumpValve | None = Field(
         default=None, description="Valves of the slide protection; absent: it has none."

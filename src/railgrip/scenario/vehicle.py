@@ -151,9 +151,9 @@ class Vehicle(Counted):
         laden = self.tare + self.payload_max
         empty = self.tare / laden if self.empty_factor is None else self.empty_factor
         if self.load_braking == "changeover" and self.changeover_mass is not None:
-            return 1.0 if self.tare + payload >= self.changeover_mass else empty
+            return 1.0 - (1.0 - empty) * (self.tare + payload < self.changeover_mass)
         if self.load_braking == "continuous" and self.payload_max > 0:
-            return min(1.0, empty + (1 - empty) * payload / self.payload_max)
+            return empty + (1 - empty) * payload / self.payload_max
         return 1.0
 
 

@@ -146,8 +146,8 @@ def test_conditions_by_cell(coach: Coach) -> None:
     centres = way.origin + (np.arange(len(way.condition_of_cell)) + 0.5) * way.cell_length
     inside = (centres > 3000.0) & (centres < 3100.0)
     np.testing.assert_array_equal(way.condition_of_cell == 1, inside)
-    assert way.conditions[0, 0] == 0.2
-    assert way.conditions[1, 0] == 0.08
+    assert way.conditions[0, 0, 0] == 0.2
+    assert way.conditions[0, 1, 0] == 0.08
     assert way.origin < 2000.0 - 26.0
     assert centres[-1] > 100e3
 

@@ -20,6 +20,7 @@ SHIPPED = {
     "contact-pairs": "contact_pair",
     "pads": "pad",
     "discs": "disc",
+    "campaigns": "campaign",
 }
 PLUG_INS = {
     "controllers": "railgrip.controllers",
@@ -27,6 +28,7 @@ PLUG_INS = {
     "rolling-laws": "railgrip.rolling_laws",
     "friction-laws": "railgrip.friction_laws",
     "readers": "railgrip.readers",
+    "collectors": "railgrip.collectors",
 }
 KINDS = (*SHIPPED, *PLUG_INS)
 

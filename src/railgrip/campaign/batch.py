@@ -1,0 +1,282 @@
+"""One chunk of a campaign: drawn, laid out as arrays, run, reduced to a table of columns.
+
+Each quantity that is drawn is tried once, before the campaign begins: where lowering a scenario
+with an array gives the numbers that lowering it value by value gives, it goes into the batch as an
+array. Where it does not (a controller, a filling with inshot, a delay in ticks), runs with the
+same value form a group that is lowered together.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from railgrip.campaign.campaign_file import CampaignFile
+from railgrip.campaign.collecting import Collector, find_collector
+from railgrip.campaign.distributions import Values
+from railgrip.campaign.drawing import Column, Drawing, Draws
+from railgrip.core.errors import Problem, RailgripError
+from railgrip.core.status import RunStatus
+from railgrip.engine.many import vary
+from railgrip.engine.plan import Outcome, Overrides, Plan
+from railgrip.engine.result import figures_of
+from railgrip.engine.simulate import Prepared, compute, prepare
+from railgrip.report.metrics import SOURCES
+from railgrip.scenario import Scenario
+from railgrip.scenario.model_walk import metadata
+from railgrip.scenario.places import Place, replaced
+
+Table = dict[str, Values]
+SAME = 2e-5
+"""How far lowering by arrays may be from lowering one by one, relative: knots of Kalker's table."""
+TRIED = (0.3, 0.7)
+"""Quantiles at which a quantity is tried."""
+MOST_GROUPS = 64
+"""Groups whose lowered scenario is kept."""
+FASTEST = 1.0 - 1e-9
+"""Quantile of the initial speed that the rail's cells are laid out for."""
+
+
+class Batches:
+    """Runs the chunks of a campaign, in any order and in any number of threads.
+
+    Parameters
+    ----------
+    campaign : CampaignFile
+        What is asked.
+    scenario : Scenario, optional
+        In place of the campaign's own: a design under a condition.
+
+    Raises
+    ------
+    RailgripError
+        Where a quantity cannot be drawn or a scenario not be run.
+    """
+
+    def __init__(self, campaign: CampaignFile, scenario: Scenario | None = None) -> None:
+        scenario = campaign.base() if scenario is None else scenario
+        self.campaign = campaign
+        self.scenario = _for_the_fastest(campaign, scenario)
+        self.drawing = Drawing(campaign, self.scenario)
+        self.collect: Collector | None = find_collector(campaign.collector)
+        self._groups: dict[tuple[Any, ...], tuple[Scenario, Prepared]] = {}
+        first = {column.variable.label: column for column in reversed(self._columns())}
+        tried = {label: self._goes_together(column) for label, column in first.items()}
+        self.together = {column.name: tried[column.variable.label] for column in self._columns()}
+
+    def _columns(self) -> list[Column]:
+        return self.drawing.columns
+
+    @property
+    def apart(self) -> list[str]:
+        """Names of the columns that cannot share a batch."""
+        return [name for name, together in self.together.items() if not together]
+
+    def table(self, first: int, last: int) -> Table:
+        """Return draws, status and figures of the runs first … last − 1, column by column."""
+        draws = self.drawing.draw(first, last)
+        table: Table = {"run": np.arange(first, last, dtype=np.int64), **_plain(draws)}
+        found = self.figures(draws, table["run"])
+        return {**table, **found}
+
+    def figures(self, draws: Draws, number: Values) -> Table:
+        """Return status and figures of runs with these draws."""
+        possible = self._possible(draws, len(number))
+        whole: Table = {}
+        for rows in self._grouped(draws, possible):
+            part = self._run({name: values[rows] for name, values in draws.items()}, number[rows])
+            for name, values in part.items():
+                if name not in whole:
+                    whole[name] = _missing(values.dtype, len(number))
+                whole[name][rows] = values
+        if not whole:
+            whole = {name: np.full(len(number), np.nan) for name in self.campaign.keep}
+        whole["status"] = whole.get("status", np.zeros(len(number), dtype=np.int8))
+        whole["status"][~possible] = RunStatus.IMPOSSIBLE
+        return whole
+
+    def _possible(self, draws: Draws, runs: int) -> Any:
+        """Return which runs keep the range that the scenario allows each quantity."""
+        possible = np.ones(runs, dtype=bool)
+        for column in self._columns():
+            for place in column.places:
+                value = column.value(place, draws[column.name])
+                if value.dtype.kind in "fi":
+                    possible &= np.isfinite(value) & _in_range(self.drawing.scenario, place, value)
+        return possible
+
+    def _grouped(self, draws: Draws, possible: Any) -> list[Any]:
+        """Return the rows of each group that can share a batch."""
+        rows = np.flatnonzero(possible)
+        if not self.apart:
+            return [rows] if len(rows) else []
+        groups: dict[tuple[Any, ...], list[int]] = {}
+        for row in rows:
+            groups.setdefault(self._key(draws, int(row)), []).append(int(row))
+        return [np.array(group) for group in groups.values()]
+
+    def _key(self, draws: Draws, row: int) -> tuple[Any, ...]:
+        return tuple(draws[name][row].item() if hasattr(draws[name][row], "item")
+                     else draws[name][row] for name in self.apart)  # fmt: skip
+
+    def _run(self, draws: Draws, number: Values) -> Table:
+        prepared, plan, changes = self.laid_out(draws, number)
+        out, _ = compute(prepared._replace(plan=plan), changes)
+        figures = kept(prepared.scenario, out, self.campaign.keep)
+        figures["status"] = out.train[:, 0].astype(np.int8)
+        if self.collect is not None:
+            figures |= self.collect(prepared.scenario, out, len(number))
+        return figures
+
+    def laid_out(self, draws: Draws, number: Values) -> tuple[Prepared, Plan, Overrides]:
+        """Return what the engine needs for runs of one group."""
+        single, prepared = self._group(draws)
+        many = single
+        for column in self._columns():
+            if self.together[column.name]:
+                for place in column.places:
+                    value = column.value(place, draws[column.name])
+                    many = replaced(many, place.steps, value)
+        plan, changes = vary(prepared.plan, single, many, np.asarray(number, dtype=np.int64))
+        return prepared, plan, changes
+
+    def _group(self, draws: Draws) -> tuple[Scenario, Prepared]:
+        key = self._key(draws, 0) if self.apart else ()
+        found = self._groups.get(key)
+        if found is None:
+            scenario = self.drawing.scenario
+            for column in self._columns():
+                if not self.together[column.name]:
+                    drawn = key[self.apart.index(column.name)]
+                    for place in column.places:
+                        scenario = replaced(scenario, place.steps, column.value(place, drawn))
+            if self.apart:
+                scenario = _checked(scenario)
+            found = (scenario, prepare(scenario))
+            if len(self._groups) < MOST_GROUPS:
+                self._groups[key] = found
+        return found
+
+    def _goes_together(self, column: Column) -> bool:
+        """Whether lowering an array gives what lowering its values gives."""
+        tried = column.variable.distribution.ppf(np.array(TRIED))
+        if tried.dtype.kind == "b":
+            tried = np.array([False, True])
+        scenario = self.drawing.scenario
+        if tried.dtype.kind not in "fib":
+            for value in set(tried.tolist()):
+                _checked(replaced(scenario, column.places[0].steps, value))
+            return False
+        many, singles = scenario, [scenario, scenario]
+        for place in column.places:
+            value = column.value(place, tried)
+            many = replaced(many, place.steps, value)
+            singles = [
+                replaced(single, place.steps, one.item())
+                for single, one in zip(singles, value, strict=True)
+            ]
+        prepared = self._groups.setdefault((), (scenario, prepare(scenario)))[1]
+        try:
+            plan, changes = vary(prepared.plan, scenario, many, np.arange(2))
+        except (TypeError, ValueError, AttributeError, RailgripError):
+            return False
+        wanted = [prepare(single).plan for single in singles]
+        return all(_same(plan, changes, run, one) for run, one in enumerate(wanted))
+
+
+def kept(scenario: Scenario, out: Outcome, names: tuple[str, ...]) -> Table:
+    """Return the named figures of every run."""
+    found = figures_of(scenario, out)
+    table: Table = {}
+    for name in names:
+        source = SOURCES[name]
+        values = found[source.variable]
+        if source.over_axles:
+            reduce = np.max if source.over_axles == "greatest" else np.sum
+            values = reduce(values, axis=1)
+        table[name] = np.asarray(values, dtype=float)
+    return table
+
+
+def _for_the_fastest(campaign: CampaignFile, scenario: Scenario) -> Scenario:
+    """Cells of the rail must suit the fastest run: it decides how the plan is laid out."""
+    for variable in campaign.variable:
+        if variable.quantity == "run.speed" and variable.apply == "value":
+            fastest = float(variable.distribution.ppf(np.array([FASTEST]))[0])
+            if fastest > scenario.run.speed:
+                return scenario.with_({"run.speed": min(fastest, 600 / 3.6)})
+    return scenario
+
+
+def _checked(scenario: Scenario) -> Scenario:
+    """Return a scenario checked anew, with a sentence that says that it was drawn."""
+    try:
+        return Scenario.model_validate(scenario.model_dump(exclude_unset=True, warnings=False))
+    except RailgripError as error:
+        raise RailgripError(
+            [Problem(p.where, f"as drawn, {p.what}", p.got, p.allowed) for p in error.problems]
+        ) from None
+
+
+def _in_range(scenario: Scenario, place: Place, value: Any) -> Any:
+    owner: Any = scenario
+    steps: tuple[Any, ...] = place.steps[:-1]
+    for step in steps:
+        owner = owner[step] if isinstance(owner, (tuple, dict)) else getattr(owner, str(step))
+    fields: Any = getattr(type(owner), "model_fields", {})
+    field = fields.get(place.steps[-1])
+    kept = np.ones(len(value), dtype=bool)
+    compare = {
+        "gt": np.greater, "ge": np.greater_equal, "lt": np.less, "le": np.less_equal,
+    }  # fmt: skip
+    for bound in metadata(field) if field is not None else ():
+        for name, keeps in compare.items():
+            limit = getattr(bound, name, None)
+            if limit is not None:
+                kept &= keeps(value, limit)
+    return kept
+
+
+def _same(plan: Plan, changes: Overrides, run: int, wanted: Plan) -> bool:
+    """Whether a run of a batch has the plan that it would have alone.
+
+    What controllers are told of the train is left out: they know it as it should be.
+    """
+    numbers = plan.parameters.copy().ravel()
+    numbers[changes.target] = changes.value[run]
+    pairs = [
+        (numbers.reshape(plan.parameters.shape), wanted.parameters),
+        *zip(_own(plan.way._asdict(), run), _own(wanted.way._asdict(), 0), strict=True),
+        *zip(_own(plan.faults._asdict(), run), _own(wanted.faults._asdict(), 0), strict=True),
+        *zip(_own(plan.formation._asdict(), run), _own(wanted.formation._asdict(), 0),
+             strict=True),
+        *zip(plan.timing, wanted.timing, strict=True),
+        *zip(plan.creep_tables, wanted.creep_tables, strict=True),
+        (plan.controller_parameters, wanted.controller_parameters),
+    ]  # fmt: skip
+    return all(
+        np.shape(a) == np.shape(b) and np.allclose(a, b, rtol=SAME, atol=1e-12) for a, b in pairs
+    )
+
+
+def _own(parts: dict[str, Any], run: int) -> list[Any]:
+    per_run = ("conditions", "relative_spread", "vehicle_share", "happens")
+    return [
+        part[run if len(part) > 1 else 0] if name in per_run else part
+        for name, part in parts.items()
+        if name != "axle_setup"
+    ]
+
+
+def _plain(draws: Draws) -> Table:
+    return {
+        name: values.astype(str).astype(object) if values.dtype.kind in "OU" else values
+        for name, values in draws.items()
+    }
+
+
+def _missing(dtype: Any, runs: int) -> Values:
+    if dtype.kind == "f":
+        return np.full(runs, np.nan)
+    return np.zeros(runs, dtype=dtype)
