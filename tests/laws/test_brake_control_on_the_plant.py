@@ -81,16 +81,18 @@ def test_alone_in_a_batch_and_on_two_threads_the_bits_are_the_same() -> None:
 
 
 def test_the_slide_protection_keeps_its_priority() -> None:
-    """On leaves the controller may ask for more; wheels slide no deeper and never lock."""
-    without = rg.simulate(stop(None, "leaves_160")).data
+    """On leaves nothing is won or lost: the mean of 16 stops differs by less than 2 %.
+
+    The standard error of the difference is 0.5 %; wheels do not lock, and the controller lets go.
+    """
+    starts = {"INITIAL_SPEED": 160 / 3.6 + np.linspace(0.0, 0.05, 16)}
+    without = rg.simulate(stop(None, "leaves_160"), runs=16, variations=starts).data
     layer = {"pressure_reserve": 1.3, "estimator": {}, "deceleration": {}}
-    data = rg.simulate(stop(layer, "leaves_160")).data
-    assert (
-        float(data["axle_longest_fast_lock"].max())
-        <= float(without["axle_longest_fast_lock"].max()) + 0.1
-    )
-    distance = float(data["stopping_distance"].values[0])
-    assert distance == pytest.approx(float(without["stopping_distance"].values[0]), rel=0.03)
+    data = rg.simulate(stop(layer, "leaves_160"), runs=16, variations=starts).data
+    assert float(data["axle_longest_fast_lock"].max()) < 0.4
+    expected = float(without["stopping_distance"].mean())
+    assert float(data["stopping_distance"].mean()) == pytest.approx(expected, rel=0.02)
+    assert float(data["correction_effort"].mean()) < 0.01
 
 
 def test_energy_is_kept_with_brake_control() -> None:

@@ -173,6 +173,7 @@ N_FAILED: Final = 9
 SHARE_LIMITED: Final = 10
 SINCE_CHANGE: Final = 11
 SETTLED: Final = 12
+HELD_CLOCK: Final = 13
 HISTORY: Final = 16
 N_HISTORY: Final = 64
 BUS: Final = HISTORY + N_HISTORY

@@ -15,8 +15,12 @@ from railgrip.control.deceleration_controller import (
 from railgrip.core.constants import GRAVITY
 from railgrip.core.formulas.elementary import exp_decay
 
-HELD_SHARE: Final = 0.25
-"""With so many brakes held by the slide protection, the controller asks for no more."""
+HELD_SHARE: Final = 0.1
+"""With so many brakes held by the slide protection, the controller does not correct …"""
+HELD_TIME: Final = 3.0
+"""… and not until so long after: a slide lets go between two grips, s."""
+LETTING_GO: Final = 0.5
+"""Time constant with which a slide takes the correction back, s."""
 LEAST_ASKED: Final = 0.1
 """Errors are taken relative to at least so much, m/s²."""
 
@@ -132,7 +136,13 @@ def _control(
     held = 0.0
     for axle in range(measured.shape[0]):
         held += measured[axle, t.IS_HELD]
-    is_bound = held > HELD_SHARE * measured.shape[0] or state[t.SHARE_LIMITED] >= 1.0
+    is_held = held > HELD_SHARE * measured.shape[0]
+    state[t.HELD_CLOCK] = HELD_TIME if is_held else max(state[t.HELD_CLOCK] - dt, 0.0)
+    is_sliding = state[t.HELD_CLOCK] > 0.0
+    # the rail decides then, not the pads: it lets go what it has learned from them
+    error = 0.0 if is_sliding else error
+    state[t.INTEGRAL] *= exp_decay(dt / LETTING_GO) if is_sliding else 1.0
+    is_bound = state[t.SHARE_LIMITED] >= 1.0
     gains = DecelerationGains(
         parameters[t.PROPORTIONAL], parameters[t.INTEGRAL_GAIN],
         parameters[t.GREATEST_CORRECTION], parameters[t.CORRECTION_RATE],
