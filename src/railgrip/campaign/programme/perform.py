@@ -27,7 +27,7 @@ from railgrip.scenario import Scenario
 Progress = Callable[[str, int, int], None]
 """Called with the test's name, valid runs so far, valid runs wanted."""
 
-MOST_AT_ONCE = 64
+MOST_AT_ONCE = 32
 """Runs of a test whose full curves are held at once."""
 
 
