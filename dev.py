@@ -92,7 +92,8 @@ def steps(command: str, home: Path, words: list[str]) -> list[list[str | Path]]:
     if command == "demo":
         return [[tool(home, "railgrip"), "demo", *words]]
     if command == "test":
-        return [[python, "-m", "pytest", *words]]
+        # a file's tests stay together: they share fixtures that take long to make
+        return [[python, "-m", "pytest", "-n", "auto", "--dist", "loadfile", *words]]
     if command == "lint":
         return [
             [tool(home, "ruff"), "check", "."],

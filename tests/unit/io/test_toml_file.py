@@ -1,6 +1,5 @@
 import json
 import math
-import time
 
 import pytest
 
@@ -134,15 +133,14 @@ def test_missing_file_folder_and_unreadable_name(tmp_path):
     assert refused("")
 
 
-def test_200_mb_file_is_refused_unread(tmp_path):
+def test_200_gb_file_is_refused_unread(tmp_path):
+    """Sparse, so that it costs no disk; no memory would hold what reading it gives."""
     path = tmp_path / "huge.toml"
     with path.open("wb") as file:
-        file.truncate(200_000_000)
-    begin = time.perf_counter()
+        file.truncate(200_000_000_000)
     (line,) = refused(path)
-    assert time.perf_counter() - begin < 0.1
     assert line.endswith(
-        "huge.toml: is too large to be a description; got 200.0 MB; allowed: up to 5 MB"
+        "huge.toml: is too large to be a description; got 200000.0 MB; allowed: up to 5 MB"
     )
 
 
