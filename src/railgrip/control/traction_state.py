@@ -49,7 +49,7 @@ def train_base(n_axles: int) -> int:
     Examples
     --------
     >>> train_base(2)
-    46
+    56
     """
     return conventional_state.N_TRAIN + n_axles * conventional_state.N_AXLE
 
@@ -60,7 +60,7 @@ def own_base(n_axles: int, axle: int) -> int:
     Examples
     --------
     >>> own_base(2, 0)
-    57
+    67
     """
     return train_base(n_axles) + N_TRAIN + axle * N_OWN
 
@@ -71,6 +71,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(1)
-    56
+    61
     """
     return own_base(n_axles, n_axles)
