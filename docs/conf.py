@@ -25,6 +25,7 @@ extensions = [
 ]
 exclude_patterns = ["_build", "_static", "gallery_src", "examples", "**/template.md"]
 nitpicky = False
+suppress_warnings = ["ref.python"]  # the words of a type, as (axle, time), are no references
 
 html_theme = "furo"
 html_title = "railgrip"
