@@ -27,8 +27,8 @@ from railgrip.scenario import Scenario
 Progress = Callable[[str, int, int], None]
 """Called with the test's name, valid runs so far, valid runs wanted."""
 
-MOST_AT_ONCE = 32
-"""Runs of a test whose full curves are held at once."""
+MOST_AT_ONCE = 10
+"""Runs of a test whose full curves are held at once: memory hardly grows with their number."""
 
 
 class Bounds(NamedTuple):
