@@ -48,6 +48,19 @@ def test_a_bad_protection_is_caught(file: str, test: str, metric: str) -> None:
     assert (test, metric) in missed
 
 
+def test_a_train_that_never_stops_misses_what_it_has_no_distance_for() -> None:
+    """With its valves inverted the train does not stop in five minutes."""
+    found = table(str(BAD / "inverted_valve.py"), "W3")["tests"]
+    (sprayed,) = [test for test in found if test["name"] == "W3"]
+    limits = {limit["metric"]: limit for limit in sprayed["limits"]}
+    assert limits["ended_well"]["verdict"] == "missed"
+    assert limits["extension"]["verdict"] == "missed"
+    assert limits["extension"]["value"] == "infinite"
+    sound = [limit["metric"] for test in table("conventional", "W3")["tests"]
+             for limit in test["limits"]]  # fmt: skip
+    assert "ended_well" not in sound
+
+
 def test_a_sound_protection_keeps_what_the_bad_ones_miss() -> None:
     for test in ("W3", "X5-60", "G7-100"):
         limits = [limit for one in table("conventional", test)["tests"] for limit in one["limits"]]

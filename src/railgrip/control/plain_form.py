@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -42,16 +43,12 @@ class KernelController:
 
     kernel: Kernel
     initial: Initial
+    state_size: Callable[[int], int]
 
     def __init__(self, parameters: Any, period: float) -> None:
         self.parameters = parameters
         self.period = period
         self._parameter_array = np.array(parameters, dtype=np.float64)
-
-    @staticmethod
-    def state_size(n_axles: int) -> int:
-        """Return the length of the state array for so many axles."""
-        raise NotImplementedError
 
     def reset(self, setup: Setup) -> KernelState:
         """Return a new state."""

@@ -73,6 +73,7 @@ def test_a_stop_is_corrected_to_nominal_speed_and_level(gradient: float) -> None
     assert measures.corrected_distance(run) == pytest.approx(level, rel=1e-9)
     assert measures.extension(run._replace(reference=level / 1.25)) == pytest.approx(0.25)
     assert measures.k_wet(run._replace(reference=level / 1.25)) == pytest.approx(0.8)
+    assert measures.corrected_distance(measured(status=5.0)) == np.inf  # the time was up
 
 
 def test_initial_adhesion_is_that_of_the_first_second_of_slide() -> None:

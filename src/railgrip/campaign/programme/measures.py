@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from railgrip.control.contract import VENT
-from railgrip.core.status import RunStatus
+from railgrip.core.status import ENDED_WELL, RunStatus
 from railgrip.report.metrics import si_value
 from railgrip.report.view import View
 from railgrip.scenario import Scenario
@@ -62,8 +62,11 @@ def corrected_distance(run: Measured) -> float:
     Notes
     -----
     s' = v²/(2 (v₁²/(2 s) − g i m/m_dyn)): v nominal and v₁ true initial speed, s the deceleration
-    distance run, i the mean gradient of the way (rising positive: it helped by g i).
+    distance run, i the mean gradient of the way (rising positive: it helped by g i). Infinite for a
+    train that was to stop and did not.
     """
+    if run.scenario.run.duration is None and run.view.number("status") != RunStatus.STOPPED:
+        return float("inf")
     distance = run.view.number("deceleration_distance")
     speed = run.view.number("initial_speed")
     if not distance > 0.0:
@@ -84,6 +87,11 @@ def extension(run: Measured) -> float:
 def k_wet(run: Measured) -> float:
     """Return 100/(100 + increase in %) (SUBSET-040)."""
     return 1.0 / (1.0 + extension(run))
+
+
+def ended_well(run: Measured) -> float:
+    """Return 1 where the train did what was asked: it stopped, or ran for its time; else 0."""
+    return float(RunStatus(int(run.view.number("status"))) in ENDED_WELL)
 
 
 def initial_adhesion(run: Measured) -> float:

@@ -70,6 +70,8 @@ def _outcome(name: str) -> Callable[[Measured], float]:
 
 
 _TABLE: tuple[tuple[str, str, str, Unit, Callable[[Measured], float]], ...] = (
+    ("ended_well", "Ended as asked: stopped, or ran its time",
+     "Wie verlangt geendet: gehalten, oder die Zeit gefahren", RATIO, measures.ended_well),
     ("stopping_distance", "Stopping distance", "Anhalteweg", METRE, _outcome("stopping_distance")),
     ("corrected_distance", "Deceleration distance, corrected", "Bremsweg, korrigiert", METRE,
      measures.corrected_distance),

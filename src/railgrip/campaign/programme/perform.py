@@ -14,7 +14,7 @@ from railgrip.campaign.programme import situation
 from railgrip.campaign.programme.measures import Measured
 from railgrip.campaign.programme.metrics import JudgingMetric, all_metrics, metric
 from railgrip.campaign.programme.profile import Limit, Profile, ProgrammeTest, Window
-from railgrip.campaign.programme.verdict import Held, hold, run_margin
+from railgrip.campaign.programme.verdict import MISSED, Held, hold, run_margin
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.status import ENDED_WELL, RunStatus, sentence
 from railgrip.engine.controllers import find_controller
@@ -29,6 +29,10 @@ Progress = Callable[[str, int, int], None]
 
 MOST_AT_ONCE = 10
 """Runs of a test whose full curves are held at once: memory hardly grows with their number."""
+
+
+ENDED = "ended_well"
+"""Metric that every run must keep, whatever the profile says."""
 
 
 class Bounds(NamedTuple):
@@ -194,7 +198,8 @@ class Programme:
             except RailgripError as error:
                 record.problem = "; ".join(str(problem) for problem in error.problems)
             distances = [run.figures["corrected_distance"] for run in record.valid]
-            references[name] = float(np.mean(distances)) if distances else math.nan
+            mean = float(np.mean(distances)) if distances else math.nan
+            references[name] = mean if math.isfinite(mean) else math.nan
             yield record
 
     def _perform(self, record: TestRecord, reference: float, progress: Progress | None) -> None:
@@ -222,6 +227,12 @@ class Programme:
                         hold(record.figures(key), *self._bounds[name, "limit", key], limit.judged))
             for key, limit in test.limit.items()
         ]  # fmt: skip
+        ended = hold(record.figures(ENDED), 1.0, None)
+        if ended.verdict == MISSED:  # a train that never stops has no distance to be judged by
+            limit = Limit(least=1, source="every run must end as asked")
+            record.limits.insert(
+                0, LimitRecord(self.metrics[ENDED], Bounds(1.0, None), limit, ended)
+            )
 
     def _batch(self, record: TestRecord, batch: int, runs: int, reference: float) -> None:
         scenario, result = self.batch(record.name, batch, runs)
@@ -247,7 +258,14 @@ class Programme:
     def _record(self, record: TestRecord, measured: Measured, index: int) -> RunRecord:
         test, name = record.test, record.name
         wanted = dict.fromkeys(
-            [*test.valid, *test.limit, *test.report, "corrected_distance", "stopping_distance"]
+            [
+                *test.valid,
+                *test.limit,
+                *test.report,
+                "corrected_distance",
+                "stopping_distance",
+                ENDED,
+            ]
         )
         figures = {key: self.metrics[key].of(measured) for key in wanted}
         margins = [
@@ -255,6 +273,8 @@ class Programme:
             for key, limit in test.limit.items()
             if limit.judged == "each"
         ]
+        if not figures[ENDED]:
+            margins.append(-1.0)
         status = RunStatus(int(measured.view.number("status")))
         return RunRecord(
             number=len(record.runs) + 1,
@@ -307,10 +327,7 @@ def run_again(programme: Programme, name: str, number: int) -> Result:
     RailgripError
         ``W3.40: there was no such run; …``
     """
-    programme.profile.chosen((name,))
-    record = TestRecord(name, programme.profile.test[name])
-    for found in programme.perform((name,)):
-        record = found if found.name == name else record
+    record = next(one for one in programme.perform((name,)) if one.name == name)
     if not 1 <= number <= len(record.runs):
         raise RailgripError(
             Problem(f"{name}.{number}", "there was no such run", allowed=f"1 to {len(record.runs)}")
