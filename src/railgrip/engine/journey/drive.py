@@ -33,6 +33,8 @@ class Leg(NamedTuple):
     """(position [m], permitted speed [m/s]) of every lower limit ahead, the stop last."""
     deceleration: float
     """Of the braking curves, m/s²."""
+    is_stop: bool = True
+    """Whether the train stands at its end."""
 
 
 class DrivingLaw(NamedTuple):
@@ -136,12 +138,12 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
             raise RailgripError(
                 Problem("passing_speed", "is above what is permitted there", got=f"{first:g} m/s")
             )
-        parameters, state = law.setup(_leg(lid, deceleration))
+        parameters, state = law.setup(_leg(lid, deceleration, final == 0.0))
         rows = np.zeros((_rows(lid, sections, journey), kernel.COLUMNS))
         end = np.zeros(4)
         status = kernel.march(
             train, sections.position, sections.slope, sections.slope_change, sections.drag,
-            *lid, called, parameters, state, first, journey.step,
+            *lid, called, parameters, state, first, journey.step, np.inf,
             rows, totals, np.zeros(SCRATCH + 2 * (2 + state.size)), end,
         )  # fmt: skip
         _check(status, end, deceleration)
@@ -153,7 +155,7 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
     return _run(journey, np.concatenate(traces), np.array(times), totals)
 
 
-def _leg(lid: tuple[Array, Array, Array], deceleration: float) -> Leg:
+def _leg(lid: tuple[Array, Array, Array], deceleration: float, is_stop: bool) -> Leg:
     position, square, slope = lid
     feet = np.maximum(square + slope * np.diff(position), 0.0)
     # a braking curve ends where the next piece does not go on falling from its foot
@@ -163,7 +165,7 @@ def _leg(lid: tuple[Array, Array, Array], deceleration: float) -> Leg:
         for k in range(slope.size)
         if slope[k] < 0.0 and not goes_on[k]
     )
-    return Leg(float(position[0]), float(position[-1]), ends, deceleration)
+    return Leg(float(position[0]), float(position[-1]), ends, deceleration, is_stop)
 
 
 def _rows(lid: tuple[Array, Array, Array], sections: Sections, journey: Journey) -> int:

@@ -27,8 +27,10 @@ from railgrip.engine.journey.steps import (
 LAW = nbt.void(nbt.float64, nbt.float64, nbt.float64[::1], nbt.float64[::1], nbt.float64[::1])
 """Signature of a driving law: position, speed, parameters, state, demand."""
 
-DRIVING, ARRIVED, STALLED, TOO_WEAK, TOO_LONG = 0, 1, 2, 3, 4
+DRIVING, ARRIVED, STALLED, TOO_WEAK, TOO_LONG, TIME_IS_UP = 0, 1, 2, 3, 4, 5
 """How a leg ended."""
+IN_TIME = 1e-7
+"""So near its end, s, a march that is limited in time has come to it."""
 
 TIME, POSITION, SPEED, TRACTION, MOTOR_BRAKE, FRICTION, CEILING = range(7)
 """Columns of the trace."""
@@ -44,9 +46,9 @@ TOTALS = 8
 def _march(
     train: Any, sections: Any, slopes: Any, changes: Any, drags: Any,
     bounds: Any, squares: Any, falls: Any, law: Any, parameters: Any, state: Any,
-    start_speed: float, longest: float, trace: Any, totals: Any, work: Any, end: Any,
+    start_speed: float, longest: float, until: float, trace: Any, totals: Any, work: Any, end: Any,
 ) -> int:  # fmt: skip
-    """Drive one leg; return how it ended.
+    """Drive one leg, or as much of it as the seconds ``until`` allow; return how it ended.
 
     ``work`` is scratch of `SCRATCH` + 2 × (2 + size of the state); ``end`` receives the rows of
     the trace, time, position and speed.
@@ -58,6 +60,10 @@ def _march(
     last = bounds.shape[0] - 2
     i, j, rows, was_pulling, idle = 0, 0, 0, False, 0
     while True:
+        if clock >= until - IN_TIME:
+            end[0], end[1], end[2], end[3] = rows, clock, place, speed
+            return 5
+        left = until - clock
         while j < last and bounds[j + 1] <= place:
             j += 1
         while i < drags.shape[0] - 1 and sections[i + 1] <= place:
@@ -98,6 +104,7 @@ def _march(
             return 3
         stop_at = min(sections[i + 1], bounds[j + 1])
         if bound:
+            stop_at = min(stop_at, place + max(speed + 0.5 * along * left, 0.5 * speed) * left)
             way = bound_step(
                 train, place, top, along, slope, changes[i], drag, stop_at, share, retard,
                 law, parameters, state, ahead, longest, totals, out,
@@ -112,7 +119,7 @@ def _march(
             seconds = free_step(
                 train, place, speed, slope, changes[i], drag, stop_at, top, falls[j],
                 share, retard, law, parameters, state, ahead,
-                longest if locate else 0.1 * longest, locate, totals, out,
+                min(longest if locate else 0.1 * longest, left), locate, totals, out,
             )  # fmt: skip
             if seconds < 0.0 or out[5] <= 0.0:
                 return 2
