@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import json
 from collections.abc import Mapping
 from html import escape
@@ -20,6 +18,7 @@ from railgrip.report.energy import energy_table
 from railgrip.report.limits import check_limits
 from railgrip.report.metrics import axle_table, metrics, status_sentence
 from railgrip.report.payload import payload
+from railgrip.report.static_page import policy, template
 from railgrip.report.view import View, dataset_of
 
 SCRIPTS = ("data.js", "look.js", "charts.js", "page.js")
@@ -92,12 +91,12 @@ def report_html(
     """Return the page about a run as text; see `write_report`."""
     view = View(dataset_of(result), run)
     ghosts = {name: View(dataset_of(other)) for name, other in (ghost or {}).items()}
-    script = '"use strict";\n(() => {\n' + "".join(_template(name) for name in SCRIPTS) + "})();\n"
+    script = '"use strict";\n(() => {\n' + "".join(template(name) for name in SCRIPTS) + "})();\n"
     uplot = _vendored("uPlot.iife.min.js")
-    style = _vendored("uPlot.min.css") + _template("page.css")
+    style = _vendored("uPlot.min.css") + template("page.css")
     figures = metrics(view.dataset, run)
-    return Template(_template("page.html")).substitute(
-        policy=_policy([uplot, script], style),
+    return Template(template("page.html")).substitute(
+        policy=policy([uplot, script], style),
         licence=_vendored("LICENSE").strip().replace("--", "- -"),
         style=style,
         uplot=uplot,
@@ -201,26 +200,9 @@ def _scenario(view: View) -> str:
     )
 
 
-def _policy(scripts: list[str], style: str) -> str:
-    """Return a policy that lets exactly these scripts and this style run, and loads nothing."""
-    hashes = " ".join(f"'sha256-{_sha256(script)}'" for script in scripts)
-    return (
-        f"default-src 'none'; script-src {hashes}; style-src 'sha256-{_sha256(style)}'; "
-        "img-src data:; base-uri 'none'; form-action 'none'"
-    )
-
-
-def _sha256(text: str) -> str:
-    return base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
-
-
 def _harmless(text: str) -> str:
     """Return JSON that cannot end the script element it stands in."""
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
-
-
-def _template(name: str) -> str:
-    return (files("railgrip.report") / "template" / name).read_text(encoding="utf-8")
 
 
 def _vendored(name: str) -> str:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import base64
-import io
 from collections.abc import Mapping, Sequence
-from html import escape
 from itertools import pairwise
 from typing import Any
 
@@ -14,16 +11,10 @@ from numpy.typing import NDArray
 
 from railgrip.engine.journey.drive import JourneyRun
 from railgrip.report.plots.journey import draw_speeds, draw_trade_off
+from railgrip.report.static_page import heading, picture, static_page, table
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
-
-_STYLE = """
-body{font:16px/1.5 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#222}
-table{border-collapse:collapse;margin:1rem 0}
-td,th{padding:.25rem .8rem;border-bottom:1px solid #ddd;
-text-align:right}td:first-child,th:first-child{text-align:left}img{max-width:100%}
-"""
 
 
 def energy_rows(run: JourneyRun) -> list[tuple[str, str]]:
@@ -70,17 +61,23 @@ def page(
     """
     journey = run.journey
     title = journey.title or f"{journey.train.title} on {journey.line.title}"
-    speeds = _figure((10, 4.5), lambda axes: draw_speeds(axes, journey, runs))
-    trade = _figure((7, 4.2), lambda axes: draw_trade_off(axes, curves))
-    legs = [["from – to, s", *times], *leg_rows(journey, times)]
-    energy = [["flat out", "kWh"], *map(list, energy_rows(run))]
-    return (
-        f"<!doctype html><html lang='en'><meta charset='utf-8'><title>{escape(title)}</title>"
-        f"<style>{_STYLE}</style><h1>{escape(title)}</h1>{_table(summary)}"
-        f"<h2>Speed over distance</h2>{speeds}<h2>Running times</h2>{_table(legs)}"
-        f"<h2>Energy</h2>{_table(energy)}<h2>Energy over time</h2>{trade}"
-        f"<p>Line: {escape(journey.line.source)}. Train: {escape(journey.train.source)}. "
-        "A simulation without slip, no approval.</p></html>\n"
+    legs = leg_rows(journey, times)
+    sources = f"Line: {journey.line.source}. Train: {journey.train.source}."
+    notice = "A simulation without slip, not an approval."
+    return static_page(
+        title,
+        [
+            heading(title, notice, sources),
+            table(summary[0], summary[1:]),
+            "<h2>Speed over distance</h2>",
+            _figure((10, 4.5), "speed", lambda axes: draw_speeds(axes, journey, runs)),
+            "<h2>Running times</h2>",
+            table(["from – to, s", *times], legs),
+            "<h2>Energy</h2>",
+            table(["flat out", "kWh"], energy_rows(run)),
+            "<h2>Energy over time</h2>",
+            _figure((7, 4.2), "energy over time", lambda axes: draw_trade_off(axes, curves)),
+        ],
     )
 
 
@@ -88,22 +85,11 @@ def _name(stop: Any) -> str:
     return stop.name or f"{stop.at / 1e3:.3f} km"
 
 
-def _table(rows: Sequence[Sequence[str]]) -> str:
-    def line(cells: Sequence[str], tag: str) -> str:
-        return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
-
-    return f"<table>{line(rows[0], 'th')}{''.join(line(row, 'td') for row in rows[1:])}</table>"
-
-
-def _figure(size: tuple[float, float], draw: Any) -> str:
+def _figure(size: tuple[float, float], words: str, draw: Any) -> str:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, layout="constrained")
     FigureCanvasAgg(figure)
     draw(figure.subplots())
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=110)
-    return (
-        f"<img alt='' src='data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}'>"
-    )
+    return picture(figure, words)

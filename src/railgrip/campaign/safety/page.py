@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from html import escape
-from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
@@ -20,17 +18,15 @@ from railgrip.campaign.safety.factors import (
     safe_distance,
 )
 from railgrip.report.safety_chart import convergence_chart, exceedance_chart
+from railgrip.report.static_page import static_page, table
 
 STYLE = """
-.scroll { margin-bottom: 1rem; }
 svg { width: 100%; max-width: 720px; height: auto; font: 12px system-ui, sans-serif; }
 svg text { fill: var(--ink); } svg .end { text-anchor: end; } svg .mid { text-anchor: middle; }
 svg .mark { text-anchor: end; font-weight: 600; } svg tspan { font-size: 9px; }
 svg .grid { stroke: var(--grid); }
 svg .curve { stroke: var(--accent); fill: none; stroke-width: 2; }
 svg .band { fill: var(--accent); opacity: .3; } svg .dot { fill: var(--ink); }
-.notice { border-left: 4px solid var(--bad); padding: .3rem .8rem; background: var(--card); }
-td.text, th.text { text-align: left; white-space: normal; }
 """
 
 ASSUMPTIONS = (
@@ -55,7 +51,6 @@ def page(found: SafetyFactors) -> str:
     """Return the page as text: self-contained, without scripts, light and dark."""
     case = found.case
     title = case.title or case.train.title or "Safety case"
-    look = (files("railgrip.report") / "template" / "page.css").read_text(encoding="utf-8")
     body = [
         f"<h1>K_dry_rst and K_wet_rst: {escape(title)}</h1>",
         '<p class="notice"><strong>Simulation, not an approval.</strong> Every figure follows from '
@@ -78,18 +73,10 @@ def page(found: SafetyFactors) -> str:
         *(_sample(step) for step in found.steps),
         "<h2>Which failed units make which level</h2>",
         *(_shares(step) for step in found.steps),
+        '<footer><p class="small">Simulation, not an approval: no figure here replaces a test '
+        "or an assessment.</p></footer>",
     ]
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; '
-        "style-src 'unsafe-inline'; img-src data:\">\n"
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta name="color-scheme" content="light dark">\n<link rel="icon" href="data:,">\n'
-        f"<title>{escape(title)}</title>\n<style>{look}{STYLE}</style>\n</head>\n<body>\n"
-        + "\n".join(body)
-        + '\n<footer><p class="small">Simulation, not an approval: no figure here replaces a test '
-        "or an assessment.</p></footer>\n</body>\n</html>\n"
-    )
+    return static_page(title, body, STYLE)
 
 
 def write_page(found: SafetyFactors, path: Path) -> Path:
@@ -105,20 +92,6 @@ def _kmh(speed: float) -> str:
     return f"{speed * 3.6:.4g} km/h"
 
 
-def _table(
-    caption: str, heads: Iterable[str], rows: Iterable[Iterable[str]], text: str = ""
-) -> str:
-    head = "".join(f'<th scope="col"{text}>{escape(one)}</th>' for one in heads)
-    lines = []
-    for first, *rest in rows:
-        cells = "".join(f"<td{text}>{escape(cell)}</td>" for cell in rest)
-        lines.append(f'<tr><th scope="row">{escape(first)}</th>{cells}</tr>')
-    return (
-        f'<div class="scroll"><table><caption>{escape(caption)}</caption><thead><tr>{head}</tr>'
-        f"</thead><tbody>{''.join(lines)}</tbody></table></div>"
-    )
-
-
 def _between(low: float, high: float) -> str:
     if not (math.isfinite(low) and math.isfinite(high)):
         return "not resolved"
@@ -132,7 +105,7 @@ def _dry_table(step: Step) -> str:
         rows.append([f"EBCL {level}", confidence, f"{k.value:.4f}", _between(k.low, k.high),
                      _between(k.low_all, k.high_all), f"{k.effective:.0f}"])  # fmt: skip
     heads = ["", "confidence", "K_dry_rst", "95 %", "95 %, all ten at once", "effective runs"]
-    return _table(f"From {_kmh(step.speed)}", heads, rows)
+    return table(heads, rows, f"From {_kmh(step.speed)}")
 
 
 def _wet_table(found: SafetyFactors) -> str:
@@ -145,7 +118,7 @@ def _wet_table(found: SafetyFactors) -> str:
         return "<p>Not asked; taken as 1.</p>"
     wet = found.case.wet
     caption = f"Rail condition {wet.condition}, controller {wet.controller}, stepped in time"
-    return _table(caption, ["from", "K_wet_rst", "95 %", "least of all stops", "stops"], rows)
+    return table(["from", "K_wet_rst", "95 %", "least of all stops", "stops"], rows, caption)
 
 
 def _safe_table(found: SafetyFactors) -> str:
@@ -161,7 +134,7 @@ def _safe_table(found: SafetyFactors) -> str:
         "A_brake_safe up to each speed, and the stopping distance with the nominal build-up time; "
         f"M_NVAVADH {found.case.available_adhesion_weight:g}"
     )
-    return _table(caption, heads, rows)
+    return table(heads, rows, caption)
 
 
 def _variables(found: SafetyFactors) -> str:
@@ -173,7 +146,7 @@ def _variables(found: SafetyFactors) -> str:
         rows.append([one.quantity, one.per, one.means, one.distribution, numbers,
                      ", ".join(one.brakes) or "all", one.source])  # fmt: skip
     heads = ["quantity", "per", "as", "distribution", "numbers", "brakes", "source"]
-    return _table("What scatters", heads, rows, ' class="text"')
+    return table(heads, rows, "What scatters", "text")
 
 
 def _failures(found: SafetyFactors) -> str:
@@ -190,7 +163,7 @@ def _failures(found: SafetyFactors) -> str:
         f"What fails: {len(found.layout.fails)} units, {len(states.weight)} different states "
         f"enumerated, {states.left_out:.1e} left out and counted against the train"
     )
-    return _table(told, heads, rows, ' class="text"')
+    return table(heads, rows, told, "text")
 
 
 def _sample(step: Step) -> str:
@@ -218,7 +191,8 @@ def _shares(step: Step) -> str:
     rows = [[f"EBCL {level}", *(f"{100 * share:.1f} %" for share in row)]
             for level, row in zip(EBCL, step.dry.share, strict=True)]  # fmt: skip
     heads = ["", *(f"{count} failed" for count in counts)]
-    return _table(f"From {_kmh(step.speed)}: of the runs that undercut the level", heads, rows)
+    told = f"From {_kmh(step.speed)}: of the runs that undercut the level"
+    return table(heads, rows, told)
 
 
 def _warnings(found: SafetyFactors) -> list[str]:
