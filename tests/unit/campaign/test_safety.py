@@ -151,3 +151,73 @@ def test_the_formula_refuses_motors() -> None:
     case = SafetyCase.model_validate(tomllib.loads(text))
     with pytest.raises(RailgripError, match="friction brakes only"):
         Formula(case, layout_of(case), 30.0)
+
+
+CONTROLLED = find_case("emu_brake_control")
+
+
+@pytest.fixture(scope="module")
+def controlled() -> SafetyCase:
+    return read_safety_case(CONTROLLED).model_copy(update={"speed_steps": (80 / 3.6,)})
+
+
+def factors_of(case: SafetyCase, normals: Any, failed: Any) -> np.ndarray:
+    layout = layout_of(case)
+    stop = Plant(case, layout, case.speed_steps[0], threads=2)
+    distance, response = stop.nominal()
+    model = dry_factor(stop, layout, distance - stop.speed * response, response)
+    found: np.ndarray = model(normals, failed[:, : len(layout.fails)])
+    return found
+
+
+def test_brake_control_narrows_the_scatter_until_it_fails(controlled: SafetyCase) -> None:
+    """On the same trains it scatters a third; where it fails, the train brakes as without it."""
+    layout = layout_of(controlled)
+    normals = np.random.default_rng(5).standard_normal((64, layout.n_variables))
+    failed = np.zeros((64, len(layout.fails)), dtype=bool)
+    kept = factors_of(controlled, normals, failed)
+    bare = factors_of(controlled.without_control(), normals, failed)
+    assert np.std(kept) < 0.34 * np.std(bare)
+    failed[:, layout.control] = True
+    lost = factors_of(controlled, normals, failed)
+    # the factors refer to two nominal stops, whose build-up times differ by 10 ms
+    assert lost / bare == pytest.approx(np.full(64, lost[0] / bare[0]), rel=2e-4)
+
+
+def test_states_of_a_failed_control_are_sought_apart(controlled: SafetyCase) -> None:
+    states, control = layout_of(controlled).states, layout_of(controlled).control
+    lost = states.failed[:, control]
+    assert not set(states.n_failed[lost]) & set(states.n_failed[~lost])
+    assert states.weight[lost].sum() == pytest.approx(1 - (1 - 1e-4) * (1 - 1e-5), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "sentence"),
+    [
+        ('method = "plant"', 'method = "formula"', "brake_control: is unknown to the formula"),
+        ('method = "plant"', 'method = "formula"', "variables[4].quantity: is unknown"),
+        ('mean = "120 degC"', 'mean = "120 bar"', "variables[4].mean"),
+        ('means = "value"', 'means = "factor"', "must be 'value' for disc_temperature"),
+        ("pressure_reserve = 1.3", "pressure_reserve = 0.3", "brake_control.pressure_reserve"),
+    ],
+)
+def test_a_case_that_only_the_plant_knows(
+    right: str, wrong: str, sentence: str, tmp_path: Path
+) -> None:
+    text = CONTROLLED.read_text(encoding="utf-8")
+    assert right in text
+    file = tmp_path / "case.toml"
+    file.write_text(text.replace(right, wrong, 1), encoding="utf-8")
+    with pytest.raises(RailgripError) as error:
+        read_safety_case(file)
+    assert sentence in str(error.value)
+
+
+def test_a_control_that_is_not_there_cannot_fail(tmp_path: Path) -> None:
+    text = SHIPPED.read_text(encoding="utf-8").replace(
+        'per = "axle"\nlatent', 'per = "control"\nlatent'
+    )
+    file = tmp_path / "case.toml"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(RailgripError, match="fails a brake control that is not there"):
+        read_safety_case(file)

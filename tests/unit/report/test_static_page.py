@@ -1,4 +1,4 @@
-"""Pages without scripts load nothing, escape what they are given, and keep tables and pictures whole."""
+"""Pages without scripts load nothing and escape what they are given."""
 
 import base64
 import hashlib

@@ -16,12 +16,14 @@ from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.io.toml_file import read_toml
 from railgrip.scenario import Scenario, Train
 from railgrip.scenario.base import Model, Text, refuse
+from railgrip.scenario.brake_control import BrakeControlLayer
 from railgrip.scenario.explain import problems_of
 from railgrip.scenario.files import is_path
 from railgrip.scenario.quantity import Unit
 from railgrip.scenario.reference import Reference
 from railgrip.scenario.units import RATIO, Acceleration, Dimensionless, Speed
 
+KELVIN = Unit("K", "K", 1.0, "5 K")
 QUANTITIES: dict[str, Unit] = {
     "cylinder_pressure": Unit("Pa", "bar", 1e-5, "3.8 bar"),
     "rigging_efficiency": RATIO,
@@ -31,12 +33,26 @@ QUANTITIES: dict[str, Unit] = {
     "wheel_radius": Unit("m", "m", 1.0, "0.46 m"),
     "mass": Unit("kg", "kg", 1.0, "44 t"),
     "resistance": RATIO,
+    "disc_temperature": Unit("degC", "°C", 1.0, "120 degC"),
+    "temperature_error": KELVIN,
+    "deceleration_scale": RATIO,
+    "deceleration_offset": Unit("m/s^2", "m/s²", 1.0, "0.005 m/s^2"),
 }
 """What may scatter, and the unit of its values and differences."""
-OF_TRAIN = ("mass", "resistance")
+OF_TRAIN = ("mass", "resistance", "deceleration_scale", "deceleration_offset")
 """Quantities that the whole train has once."""
-ONLY_FACTORS = ("mass", "resistance", "pad_friction")
-"""Quantities that have no one value in the train's file."""
+MEANS = {
+    "mass": "factor",
+    "resistance": "factor",
+    "pad_friction": "factor",
+    "disc_temperature": "value",
+    "temperature_error": "value",
+    "deceleration_scale": "factor",
+    "deceleration_offset": "value",
+}
+"""Quantities that have no one value in the train's file, or nothing but one: how they act."""
+OF_PLANT = ("disc_temperature", "temperature_error", "deceleration_scale", "deceleration_offset")
+"""Quantities that the formula does not know."""
 
 Place = Literal["train", "vehicle", "bogie", "axle"]
 Number = float | str | None
@@ -70,8 +86,9 @@ class Variable(Model):
         refuse(problems)
         if self.quantity in OF_TRAIN and (self.per != "train" or self.brakes):
             problems.append(Problem("per", f"must be 'train' for {self.quantity}", got=self.per))
-        if self.quantity in ONLY_FACTORS and self.means != "factor":
-            what = f"must be 'factor' for {self.quantity}"
+        means = MEANS.get(self.quantity, self.means)
+        if self.means != means:
+            what = f"must be '{means}' for {self.quantity}"
             problems.append(Problem("means", what, got=self.means))
         given, faults = self._read()
         problems += faults or problems_of_numbers(self.distribution, given)
@@ -91,7 +108,8 @@ class Variable(Model):
             if text is None:
                 continue
             try:
-                given[name] = unit.read(text)
+                is_span = name == "deviation" and unit.si == "degC"
+                given[name] = (KELVIN if is_span else unit).read(text)
             except PydanticCustomError as error:
                 told = error.context or {}
                 faults.append(
@@ -101,9 +119,12 @@ class Variable(Model):
 
 
 class Failure(Model):
-    """Units that may have failed: the brake of an axle, a bogie or a vehicle gives nothing."""
+    """Units that may have failed: the brake of an axle, a bogie or a vehicle gives nothing.
 
-    per: Literal["vehicle", "bogie", "axle"] = Field(description="What fails as one.")
+    Where the brake control fails, the brakes work as without it.
+    """
+
+    per: Literal["vehicle", "bogie", "axle", "control"] = Field(description="What fails as one.")
     latent: Dimensionless = Field(default=0.0, ge=0, le=1, description="Failed unnoticed before.")
     on_demand: Dimensionless = Field(default=0.0, ge=0, le=1, description="Fails when it is asked.")
     brakes: tuple[Text, ...] = Field(default=(), description="Only these; absent: all.")
@@ -142,6 +163,9 @@ class SafetyCase(Model):
     variables: tuple[Variable, ...] = Field(min_length=1, max_length=50, description="Scatter.")
     failures: tuple[Failure, ...] = Field(default=(), max_length=10, description="Failed units.")
     wet: Wet | None = Field(default=None, description="Absent: K_wet is left out, taken as 1.")
+    brake_control: BrakeControlLayer | None = Field(
+        default=None, description="Friction estimate, deceleration controller; with and without."
+    )
     available_adhesion_weight: Dimensionless = Field(
         default=0.0, ge=0, le=1, description="M_NVAVADH of ETCS."
     )
@@ -169,8 +193,33 @@ class SafetyCase(Model):
                     for name in row
                     if name not in self.train.brakes
                 ]
-        refuse(problems)
+        refuse([*problems, *self._needs_of_plant()])
         return self
+
+    def _needs_of_plant(self) -> list[Problem]:
+        """Return what only the plant knows and what only brake control has."""
+        problems = []
+        cure = "method = 'plant'"
+        if self.method == "formula":
+            problems += [
+                Problem(f"variables[{i}].quantity", "is unknown to the formula",
+                        got=row.quantity, cure=cure)
+                for i, row in enumerate(self.variables) if row.quantity in OF_PLANT
+            ]  # fmt: skip
+            if self.brake_control is not None:
+                problems.append(Problem("brake_control", "is unknown to the formula", cure=cure))
+        if self.brake_control is None:
+            problems += [
+                Problem(f"failures[{i}].per", "fails a brake control that is not there",
+                        got="control", cure="a table brake_control")
+                for i, row in enumerate(self.failures) if row.per == "control"
+            ]  # fmt: skip
+        return problems
+
+    def without_control(self) -> SafetyCase:
+        """Return the same case without its brake control."""
+        failures = tuple(row for row in self.failures if row.per != "control")
+        return self.model_copy(update={"brake_control": None, "failures": failures})
 
     def scenario(self, speed: float, *, wet: bool = False) -> Scenario:
         """Return the stop from a speed: dry without slide protection, or wet with it."""
@@ -183,6 +232,7 @@ class SafetyCase(Model):
                 "rail": {"condition": rail},
                 "run": {"speed": speed, "demand": "emergency"},
                 "wsp": {"controller": controller},
+                "brake_control": self.brake_control,
             }
         )
 

@@ -16,6 +16,7 @@ from railgrip.campaign.safety.factors import (
     Step,
     safe_deceleration,
     safe_distance,
+    warnings,
 )
 from railgrip.report.safety_chart import convergence_chart, exceedance_chart
 from railgrip.report.static_page import static_page, table
@@ -38,7 +39,9 @@ ASSUMPTIONS = (
     "same trains on both, none failed.",
     "A_brake_safe = K_dry (K_wet + M_NVAVADH (1 − K_wet)) A_brake_emergency (SUBSET-026 §3.13).",
     "All quantities scatter independently unless 'per' says that axles share one; units fail "
-    "independently. A failed unit gives no brake force and nothing takes its place.",
+    "independently. A failed unit gives no brake force, nobody notices, and nothing takes its "
+    "place but what a deceleration controller asks of the others. Where the brake control itself "
+    "fails, the brakes work as without it.",
     "Failed units are enumerated with exact probabilities. The rest is sampled beyond where each "
     "level begins, along a direction that pilot runs found, and weighted exactly (balance "
     "heuristic). Pilots are not counted.",
@@ -65,6 +68,7 @@ def page(found: SafetyFactors) -> str:
         _wet_table(found),
         "<h2>Safe deceleration and stopping distance</h2>",
         _safe_table(found),
+        *_worth(found),
         "<h2>What was assumed</h2>",
         "<ol>" + "".join(f"<li>{escape(one)}</li>" for one in ASSUMPTIONS) + "</ol>",
         _variables(found),
@@ -72,7 +76,7 @@ def page(found: SafetyFactors) -> str:
         "<h2>The sample</h2>",
         *(_sample(step) for step in found.steps),
         "<h2>Which failed units make which level</h2>",
-        *(_shares(step) for step in found.steps),
+        *(_shares(found, step) for step in found.steps),
         '<footer><p class="small">Simulation, not an approval: no figure here replaces a test '
         "or an assessment.</p></footer>",
     ]
@@ -137,6 +141,48 @@ def _safe_table(found: SafetyFactors) -> str:
     return table(heads, rows, caption)
 
 
+def _worth(found: SafetyFactors) -> list[str]:
+    """Return what the brake control is worth, level by level."""
+    without = found.without
+    if without is None:
+        return []
+    parts = [
+        "<h2>What brake control is worth</h2>",
+        "<p>The same train, scatter and failed brakes, without its friction estimate and "
+        "deceleration controller. Each K refers to its own nominal stop, so compare decelerations "
+        "and distances.</p>",
+    ]
+    heads = ["", "K_dry_rst with", "without", "A_brake_safe with, m/s²", "without",
+             "safe stop with, m", "without", "shorter by"]  # fmt: skip
+    for number, (own, bare) in enumerate(zip(found.steps, without.steps, strict=True)):
+        rows = []
+        for level in EBCL:
+            pair = [(safe_deceleration(one, level)[number], safe_distance(one, level)[number])
+                    for one in (found, without)]  # fmt: skip
+            rows.append([
+                f"EBCL {level}", f"{own.dry.quantile[level].value:.4f}",
+                f"{bare.dry.quantile[level].value:.4f}", f"{pair[0][0]:.3f}", f"{pair[1][0]:.3f}",
+                f"{pair[0][1]:.0f}", f"{pair[1][1]:.0f}",
+                f"{100 * (1 - pair[0][1] / pair[1][1]):.1f} %",
+            ])  # fmt: skip
+        parts.append(table(heads, rows, f"From {_kmh(own.speed)}"))
+    parts += [_curve(step, f"{_kmh(step.speed)} without brake control") for step in without.steps]
+    return parts
+
+
+def _curve(step: Step, name: str) -> str:
+    dry = step.dry
+    marks = [
+        (level, k.value, p) for level, p, k in zip(EBCL, SHORTFALLS, dry.quantile, strict=True)
+    ]
+    return (
+        f"<figure><figcaption>From {name}: how probable it is to brake worse (EBCL marked), with "
+        "its 95 % band</figcaption>"
+        + exceedance_chart(dry.curve.bound, dry.curve.probability, dry.curve.error, marks)
+        + "</figure>"
+    )
+
+
 def _variables(found: SafetyFactors) -> str:
     rows = []
     for one in found.case.variables:
@@ -168,17 +214,12 @@ def _failures(found: SafetyFactors) -> str:
 
 def _sample(step: Step) -> str:
     dry = step.dry
-    marks = [
-        (level, k.value, p) for level, p, k in zip(EBCL, SHORTFALLS, dry.quantile, strict=True)
-    ]
     stages = convergence(dry, len(EBCL) - 1)
     columns = np.array([[s.quantile.value, s.quantile.low, s.quantile.high] for s in stages])
-    name = f"From {_kmh(step.speed)}"
+    name = _kmh(step.speed)
     return (
-        f"<figure><figcaption>{name}: how probable it is to brake worse (EBCL marked), with its "
-        "95 % band</figcaption>"
-        + exceedance_chart(dry.curve.bound, dry.curve.probability, dry.curve.error, marks)
-        + f"</figure><figure><figcaption>{name}: K_dry_rst at EBCL 9 as the sample grows "
+        _curve(step, name)
+        + f"<figure><figcaption>From {name}: K_dry_rst at EBCL 9 as the sample grows "
         f"({dry.pilots} pilots besides)</figcaption>"
         + convergence_chart([s.runs for s in stages], columns[:, 0], columns[:, 1],
                             columns[:, 2], "K_dry_rst, EBCL 9")
@@ -186,15 +227,21 @@ def _sample(step: Step) -> str:
     )  # fmt: skip
 
 
-def _shares(step: Step) -> str:
-    counts = range(step.dry.share.shape[1])
+def _shares(found: SafetyFactors, step: Step) -> str:
     rows = [[f"EBCL {level}", *(f"{100 * share:.1f} %" for share in row)]
             for level, row in zip(EBCL, step.dry.share, strict=True)]  # fmt: skip
-    heads = ["", *(f"{count} failed" for count in counts)]
+    control, states = found.layout.control, found.layout.states
+    heads = [""]
+    for group in range(step.dry.share.shape[1]):
+        failed = states.failed[states.n_failed == group][:1]
+        count = int(failed.sum())
+        if control >= 0 and failed[:, control].any():
+            heads.append("control" if count == 1 else f"control and {count - 1}")
+        else:
+            heads.append(f"{count} failed")
     told = f"From {_kmh(step.speed)}: of the runs that undercut the level"
     return table(heads, rows, told)
 
 
 def _warnings(found: SafetyFactors) -> list[str]:
-    told = [f"{_kmh(step.speed)}: {one}" for step in found.steps for one in step.dry.warnings]
-    return [f'<p class="notice">{escape(one)}</p>' for one in told]
+    return [f'<p class="notice">{escape(one)}</p>' for one in warnings(found)]
