@@ -44,13 +44,13 @@ def plant_model(threads: int) -> tuple[Any, Layout]:
     return dry_factor(stop, layout, distance - SPEED * response, response), layout
 
 
-def chunk(model: Any, layout: Layout, number: int) -> np.ndarray:
-    """Return the factors of one chunk of plain stops; the number alone says which."""
+def chunk(model: Any, layout: Layout, number: int, stops: int = CHUNK) -> np.ndarray:
+    """Return the factors of one chunk of plain stops, or of its first; the number says which."""
     generator = np.random.Generator(np.random.Philox([SEED, number]))
     chances = layout.states.weight / layout.states.weight.sum()
     state = generator.choice(len(chances), CHUNK, p=chances)
     normals = generator.standard_normal((CHUNK, layout.n_variables))
-    factors: np.ndarray = model(normals, layout.states.failed[state])
+    factors: np.ndarray = model(normals[:stops], layout.states.failed[state[:stops]])
     return factors
 
 

@@ -1,8 +1,8 @@
 """How surely does a train brake with friction estimation and deceleration control, and without?
 
-The shipped safety case `emu_brake_control`: K_dry_rst at EBCL 0 to 9 from 80 and 160 km/h, every stop
-stepped in time, with both, with each alone, and with none of them; what the levels mean in metres.
-The brake control itself fails in one stop of nine thousand.
+The shipped safety case `emu_brake_control`: K_dry_rst at EBCL 0 to 9 from 80 and 160 km/h, stepped
+in time, with both, with each alone, and with neither; and what the levels mean in metres. The brake
+control itself fails in one stop of nine thousand.
 
     python studies/safety_brake_control.py [--runs N] [--out FOLDER]
 """
