@@ -144,8 +144,8 @@ def indicators(run: JourneyRun) -> list[Indicated]:
         law.reset()
         targets = announced(leg)
         here = (trace["position"] >= leg.begin) & (trace["position"] < leg.end)
-        rows = zip(trace["time"][here], trace["position"][here], trace["speed"][here], strict=True)
-        for time, position, speed in rows:
+        columns = [trace[name][here].tolist() for name in ("time", "position", "speed")]
+        for time, position, speed in zip(*columns, strict=True):
             told = law.step(
                 position, speed, targets,
                 by_hand=switched.by_hand, by_control=switched.by_control,
