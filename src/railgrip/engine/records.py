@@ -74,6 +74,8 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
     )
     train[5] = S[at.TRACK_BRAKE_FORCE * L + k]
     train[6] = drive_demand(tick, timing.drive_tick, timing.drive_level)
+    if plan.driver.every > 0:
+        train[4], train[6] = S[at.DRIVER_DEMAND * L + k], S[at.DRIVE_DEMAND * L + k]
     train[7] = memory.command[k, 0, ctl.WSP_STATE]
     train[8] = S[at.BRAKE_CORRECTION * L + k]
     for axle in range(n_axles):

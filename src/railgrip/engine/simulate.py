@@ -25,6 +25,7 @@ from railgrip.engine.controllers import (
     no_kernel,
     plain_step,
 )
+from railgrip.engine.driver import DRIVER_STATES
 from railgrip.engine.lower import controller_setup, lower, ring_cells
 from railgrip.engine.lower_train import lower_train
 from railgrip.engine.plan import FloatArray, Memory, Outcome, Overrides, Plan
@@ -100,6 +101,8 @@ def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
         brake_state=np.zeros((lanes, brake_state_size(n_axles) if plan.brake_control.every else 0)),
         brake_measured=np.zeros((lanes, n_axles, table.N_MEASURED)),
         brake_command=np.zeros((lanes, n_axles, table.N_COMMAND)),
+        driver_state=np.zeros((lanes, DRIVER_STATES)),
+        demand_history=np.zeros((lanes, 1 + int(plan.driver.late.max(initial=0)))),
     )
 
 

@@ -40,6 +40,8 @@ def begin_run(L: int, S: Any, memory: Any, plan: Any, overrides: Any, k: int, ru
     S[at.KINETIC_START * L + k] = kinetic_energy(L, S, n_axles, k)
     for vehicle in range(plan.formation.vehicle_front.shape[0]):
         memory.reservoirs[vehicle * L + k] = plan.formation.reservoir_pressure[vehicle]
+    if plan.driver.every > 0:
+        S[at.DRIVE_DEMAND * L + k] = 1.0  # it stands, and is about to move
     _begin_control(L, S, memory, n_axles, k)
 
 
@@ -106,6 +108,10 @@ def _begin_control(L: int, S: Any, memory: Any, n_axles: int, k: int) -> None:
         memory.monitor_state[k, i] = 0.0
     for i in range(memory.brake_state.shape[1]):
         memory.brake_state[k, i] = 0.0
+    for i in range(memory.driver_state.shape[1]):
+        memory.driver_state[k, i] = 0.0
+    for i in range(memory.demand_history.shape[1]):
+        memory.demand_history[k, i] = 0.0
     for axle in range(n_axles):
         memory.alarm[k, axle] = 0.0
     for axle in range(n_axles):

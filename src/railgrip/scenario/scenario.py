@@ -23,6 +23,7 @@ from railgrip.scenario.rail import Rail
 from railgrip.scenario.reference import Reference
 from railgrip.scenario.run import Run, Wsp
 from railgrip.scenario.train import Train
+from railgrip.scenario.trip import Trip
 from railgrip.scenario.units import Dimensionless
 
 LoadState = Literal["normal", "empty", "laden"]
@@ -97,6 +98,9 @@ class Scenario(Model):
     brake_control: BrakeControlLayer | None = Field(
         default=None,
         description="Friction estimate and deceleration control above it; absent: none.",
+    )
+    trip: Trip | None = Field(
+        default=None, description="From stop to stop, for `railgrip drive`; absent: one stop."
     )
     fault: Annotated[tuple[Fault, ...], Field(max_length=1000)] = Field(
         default=(), description="What breaks during the run."

@@ -34,6 +34,9 @@ Array = NDArray[np.float64]
     LEAST_SPEED, STATION, HOLDS, LIFT, KNEE, IS_ON, STATION_DISTANCE, TARGETS,
 ) = range(17)  # fmt: skip
 """Places in the parameters; from `TARGETS` on pairs of position and speed."""
+FLAT_OUT_NUMBERS = np.zeros(TARGETS + 2)
+"""Parameters with which the law is off, and its only target out of reach."""
+FLAT_OUT_NUMBERS[[BRAKING, TARGETS]] = 1.0, 1e12
 CUT, REDUCED_TRACTION, LIGHT_BRAKING = range(3)
 
 
@@ -42,10 +45,11 @@ def coasting_demand(
 ) -> None:
     """Demand what the coasting-initiation law leaves; see `CoastingLaw.step`."""
     p = parameters
-    limit, curve = NO_LIMIT, NO_LIMIT
+    limit, curve, is_passed = NO_LIMIT, NO_LIMIT, True
     for k in range(TARGETS, len(p), 2):
         distance, target_speed = p[k] - position, p[k + 1]
         if distance > AT_THE_TARGET:
+            is_passed = False
             square = target_speed * target_speed
             braking = math.sqrt(square + 2.0 * p[BRAKING] * distance)
             own = math.sqrt(square + 2.0 * p[OWN_DECELERATION] * distance)
@@ -69,7 +73,7 @@ def coasting_demand(
         acts = speed - curve + p[HYSTERESIS] > AT_THE_CURVE
     acts = acts and p[IS_ON] > 0.0 and not is_slow and not near and not must_brake
     # at the braking curve, and where it ends, the ceiling brakes: no last pull
-    demand[0], demand[1] = 0.0 if must_brake or limit == NO_LIMIT else 1.0, 0.0
+    demand[0], demand[1] = 0.0 if must_brake or is_passed else 1.0, 0.0
     if acts:
         demand[0] = p[REDUCED] if p[ACTION] == REDUCED_TRACTION else 0.0
         demand[1] = p[LIGHT] if p[ACTION] == LIGHT_BRAKING else 0.0
