@@ -28,12 +28,13 @@ def drive(
 ) -> int:
     """Drive a journey without slip: flat out, with coasting, and with the least energy.
 
-    Coasting is driven where the file has a table [coasting], or with --tune.
+    Coasting is driven where the file has a table [coasting], or with --tune. A scenario with a
+    table [trip] is driven on the plant, axle by axle, beside the same trip without slip.
 
     Parameters
     ----------
     file
-        The journey (TOML): train, line, stops.
+        The journey (TOML): train, line, stops; or a scenario with a table [trip].
     supplement
         Share of time beyond the least possible, e.g. 0.05, instead of the file's.
     time
@@ -47,6 +48,13 @@ def drive(
     as_json
         Print one JSON object instead of the tables.
     """
+    from railgrip.io.toml_file import read_toml
+
+    if "trip" in read_toml(file):
+        from railgrip.app.commands.drive_trip import drive_on_plant
+
+        _only_journeys(supplement, time, tune)
+        return drive_on_plant(file, out, as_json)
     with working("driving"):
         from railgrip.app.files import folder_of_results
         from railgrip.campaign.driving import driven
@@ -69,6 +77,17 @@ def drive(
         print_table("Coasting, tuned", ["", ""], found.tuned_rows())
     print(f"Report: {folder / _PAGE}")
     return 0
+
+
+def _only_journeys(supplement: float | None, time: float | None, tune: bool) -> None:
+    given = {"--supplement": supplement, "--time": time, "--tune": tune or None}
+    problems = [
+        Problem(name, "is for journeys without slip", cure="a table [coasting] in [trip]")
+        for name, value in given.items()
+        if value is not None
+    ]
+    if problems:
+        raise RailgripError(problems)
 
 
 def _asked(journey: Journey, supplement: float | None, time: float | None) -> Journey:
