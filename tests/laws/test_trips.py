@@ -25,11 +25,11 @@ def dry() -> TripRun:
 
 
 def test_on_dry_rail_it_is_the_journey_without_slip(dry: TripRun) -> None:
-    """Time within 0.8 % (motors build up in 2 s, the fast journey at once), work within 1.5 %."""
+    """2 s a leg longer at most (motors build up in 2 s), work within 1.5 %."""
     assert [leg.run.status.name for leg in dry.legs] == ["STOPPED", "STOPPED"]
     times = np.array([leg.time for leg in dry.legs])
-    assert times == pytest.approx(dry.fast.running_times, rel=8e-3)
     assert np.all(times > dry.fast.running_times)
+    assert np.all(times < dry.fast.running_times + 2.0)
     fast = dry.fast.energy
     assert dry.total("energy_traction") == pytest.approx(fast["traction"], rel=0.015)
     assert dry.total("energy_resistance") == pytest.approx(fast["resistance"], rel=0.01)
@@ -93,5 +93,5 @@ def test_what_cannot_be_driven_is_said(changes: dict[str, Any], sentence: str) -
 
 
 def test_a_train_without_motors_is_refused() -> None:
-    with pytest.raises(RailgripError, match=r"has no \\[traction\\]"):
+    with pytest.raises(RailgripError, match=r"has no .traction."):
         journey_of(scenario().with_({"train": "coach_disc"}))

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import ValidationError
 
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.status import RunStatus
@@ -18,6 +19,7 @@ from railgrip.engine.lower_train import lower_train
 from railgrip.engine.plan import DriverPlan
 from railgrip.engine.result import Result
 from railgrip.engine.simulate import overrides, prepare, run_prepared
+from railgrip.scenario.explain import problems_of
 from railgrip.scenario.journey import Journey
 from railgrip.scenario.point_train import Effort, PointTrain, Regeneration
 from railgrip.scenario.run import DemandPoint, DrivePoint
@@ -145,11 +147,14 @@ def journey_of(scenario: Scenario) -> Journey:
     trip, line = _trip(scenario), scenario.line.use
     train = point_train_of(scenario)
     service = train.max_deceleration or 0.0
-    return Journey(
-        title=scenario.title, train=train, line=line, stop=trip.stop,
-        braking=trip.braking if trip.braking is not None else SERVICE * service,
-        gradient_under="train", curve_resistance=True, coasting=trip.coasting,
-    )  # fmt: skip
+    try:
+        return Journey(
+            title=scenario.title, train=train, line=line, stop=trip.stop,
+            braking=trip.braking if trip.braking is not None else SERVICE * service,
+            gradient_under="train", curve_resistance=True, coasting=trip.coasting,
+        )  # fmt: skip
+    except ValidationError as error:
+        raise RailgripError(problems_of(error, Journey)) from None
 
 
 def point_train_of(scenario: Scenario) -> PointTrain:
@@ -239,12 +244,13 @@ def _drive_leg(
         ),
         timing=plan.timing._replace(
             demand_tick=np.zeros(0, dtype=np.int64), demand_level=nothing, demand_emergency=nothing,
+            first_brake_tick=0,  # so that time and distance count from the departure
         ),
     )  # fmt: skip
     prepared = prepared._replace(plan=driven)
     run = run_prepared(prepared, overrides(prepared, {}, 1), True)
     ended = run.status == RunStatus.STOPPED
-    time = float(run.data["time"].values[-1]) if ended else np.inf
+    time = float(run.data["stopping_time"][0]) if ended else np.inf
     past = float(run.data["covered_distance"][0]) + here.at - there.at
     return TripLeg(here.at, there.at, run, time, planned, past)
 
