@@ -28,6 +28,8 @@ Model = Callable[[FloatArray, NDArray[np.bool_]], FloatArray]
 PILOT_ROUNDS = 2
 STRAIGHT = 0.98
 """One direction that explains this share of the variance is enough: its bend does the rest."""
+MOSTLY_STRAIGHT = 0.5
+"""Above this share one direction gives way only to several that leave a quarter of its error."""
 MORE_ROUNDS = 3
 """Further ones where the result falls in several directions."""
 MOST_CENTRES = 5000
@@ -127,6 +129,8 @@ def _learn(memory: Memory, count: int, normals: FloatArray, drop: FloatArray) ->
     elif len(all_drop) >= 2 * normals.shape[1] + 10:
         known = [[one.plane for one in learnt] for learnt in memory.learnt.values()]
         planes = fit_planes(all_normals, all_drop, known)
+        if enough and _is_no_better(planes, all_normals, all_drop, single, normals, drop):
+            planes = single
         if len(planes) > 1 or not enough:
             normals, drop = all_normals, all_drop
         else:  # one direction, much bent: the latest pilots know its tail best
@@ -143,6 +147,20 @@ def _learn(memory: Memory, count: int, normals: FloatArray, drop: FloatArray) ->
         z = (drop[own] - plane.constant) / slope
         found.append(Learnt(plane, fit_bend(z, normals[own] @ plane.gradient / slope)))
     memory.learnt[count] = found
+
+
+def _is_no_better(
+    planes: list[Plane],
+    all_normals: FloatArray,
+    all_drop: FloatArray,
+    single: list[Plane],
+    normals: FloatArray,
+    drop: FloatArray,
+) -> bool:
+    """Return whether several directions are only the scatter of one that explains a lot."""
+    seen = explained(single, normals, drop)
+    left = 1.0 - explained(planes, all_normals, all_drop)
+    return seen > MOSTLY_STRAIGHT and left > 0.25 * (1.0 - seen)
 
 
 def _faces(
