@@ -40,6 +40,17 @@ def test_stored_intervals_hold() -> None:
     assert STORED["cases"][CHECK]["half_width"][9] < 0.002
 
 
+def test_stored_intervals_hold_in_several_directions() -> None:
+    """Where levels are resolved, as often as they say; a distance from the centre is refused."""
+    for name, row in STORED["several_directions"].items():
+        assert row["coverage"] >= 0.92
+        assert row["simultaneous"] >= 28
+        if name.startswith("distance"):
+            assert min(row["not_resolved"][2:]) >= 0.9
+        else:
+            assert max(row["not_resolved"]) == 0.0
+
+
 def test_brute_force_agrees_down_to_a_millionth() -> None:
     for one in STORED["brute_force"]:
         assert (
@@ -76,3 +87,13 @@ def test_the_first_of_the_million_stops_are_made_again() -> None:
         p = row["probability"]
         share = np.mean(factors <= row["k_dry_counted"])
         assert abs(share - p) < 3.0 * np.sqrt(p * (1.0 - p) / 400)
+
+
+def test_a_few_seeds_agree_in_several_directions(study: Any) -> None:
+    name = "least of three, spreads 3, 4, 6 %"
+    quick = study.study_several(4, [name])[name]
+    assert quick["simultaneous"] == 4
+    assert quick["coverage"] >= 0.92
+    for level in (1, 5, 9):
+        stored = STORED["several_directions"][name]["half_width"][level]
+        assert quick["half_width"][level] == pytest.approx(stored, rel=0.25)

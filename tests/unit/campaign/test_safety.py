@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from railgrip.campaign.rare.estimate import rare_quantiles
 from railgrip.campaign.safety import marginals
 from railgrip.campaign.safety.case import SafetyCase, find_case, read_safety_case
 from railgrip.campaign.safety.draws import layout_of, trains
@@ -221,3 +222,124 @@ def test_a_control_that_is_not_there_cannot_fail(tmp_path: Path) -> None:
     file.write_text(text, encoding="utf-8")
     with pytest.raises(RailgripError, match="fails a brake control that is not there"):
         read_safety_case(file)
+
+
+TIED = """
+[[variables]]
+quantity = "rigging_efficiency"
+per = "train"
+distribution = "lognormal"
+mean = 1
+deviation = 0.05
+source = "test"
+
+[[variables]]
+quantity = "pad_friction"
+per = "train"
+distribution = "lognormal"
+mean = 1
+deviation = 0.08
+source = "test"
+
+[[correlation]]
+variables = ["rigging_efficiency", "pad_friction"]
+matrix = [[1, 0.7], [0.7, 1]]
+"""
+
+
+def tied(tmp_path: Path, text: str = TIED) -> SafetyCase:
+    head = 'train = "emu_en14531"\nspeed_steps = ["100 km/h"]\n'
+    file = tmp_path / "case.toml"
+    file.write_text(head + text, encoding="utf-8")
+    return read_safety_case(file)
+
+
+def test_correlated_factors_make_the_product_of_two_lognormals(tmp_path: Path) -> None:
+    """Its logarithm is normal with s₁² + s₂² + 2 ρ s₁ s₂, out to a thousand-millionth."""
+    layout = layout_of(tied(tmp_path))
+    found = rare_quantiles(
+        lambda normals, failed: (
+            (made := trains(layout, normals, failed)).efficiency[:, 0] * made.friction[:, 0]
+        ),
+        layout.n_variables,
+        layout.states,
+        owner=layout.owner,
+        runs=5000,
+    )
+    a, b = np.log1p(0.05**2), np.log1p(0.08**2)
+    spread = np.sqrt(a + b + 2 * 0.7 * np.sqrt(a * b))
+    for level, p in ((1, 1e-1), (5, 1e-5), (9, 1e-9)):
+        exact = np.exp(spread * stats.norm.ppf(p) - 0.5 * (a + b))
+        assert found.quantile[level].low_all <= exact <= found.quantile[level].high_all
+        assert found.quantile[level].value == pytest.approx(exact, rel=2e-3)
+
+
+def test_correlation_leaves_each_distribution_as_it_is(tmp_path: Path) -> None:
+    text = TIED.replace('per = "train"', 'per = "axle"') + (
+        '[[failures]]\nper = "axle"\nlatent = 1e-3\nsource = "test"\n'
+    )
+    layout = layout_of(tied(tmp_path, text))
+    assert set(layout.owner) == set(range(8))
+    normals = np.random.default_rng(5).standard_normal((20_000, layout.n_variables))
+    made = trains(layout, normals, np.zeros((len(normals), 8), dtype=bool))
+    for axle in (0, 7):
+        a, b = np.log(made.efficiency[:, axle]), np.log(made.friction[:, axle])
+        assert np.corrcoef(a, b)[0, 1] == pytest.approx(0.7, abs=0.02)
+        assert made.friction[:, axle].std() == pytest.approx(0.08, rel=0.03)
+    others = np.corrcoef(made.efficiency[:, 0], made.friction[:, 1])[0, 1]
+    assert abs(others) < 0.03
+
+
+def test_a_measured_sample_gives_its_own_quantiles(tmp_path: Path) -> None:
+    """Hazen's rule, as numpy has it; nothing beyond the least and the greatest."""
+    sample = [0.91, 1.08, 0.99, 1.02, 0.97, 1.0]
+    (tmp_path / "pads.csv").write_text(
+        "pad,factor\n" + "".join(f"{i},{x}\n" for i, x in enumerate(sample)), encoding="utf-8"
+    )
+    text = """
+[[variables]]
+quantity = "pad_friction"
+distribution = "empirical"
+file = "pads.csv"
+column = "factor"
+source = "test"
+
+[[variables]]
+quantity = "cylinder_pressure"
+means = "difference"
+distribution = "empirical"
+values = ["-0.1 bar", "0.2 bar"]
+source = "test"
+"""
+    case = tied(tmp_path, text)
+    layout = layout_of(case)
+    u = np.linspace(-7.0, 7.0, 31)
+    made = trains(layout, np.repeat(u[:, None], 16, axis=1), np.zeros((31, 0), dtype=bool))
+    exact = np.quantile(sample, stats.norm.cdf(u), method="hazen")
+    assert made.friction[:, 3] == pytest.approx(exact, rel=1e-12)
+    pressure = layout.brakes.pressure[3]
+    assert made.pressure[0, 3] == pytest.approx(pressure - 1e4)
+    assert made.pressure[-1, 3] == pytest.approx(pressure + 2e4)
+
+
+WRONG_TIES = {
+    "[[1, 0.7], [0.7, 1]]": ("[[1, 1.7], [1.7, 1]]", "is not positive definite"),
+    "0.7], [0.7": ("0.7], [0.6", "must be symmetric"),
+    '["rigging_efficiency", "pad_friction"]': (
+        '["rigging_efficiency", "pad_frictoin"]', "did you mean 'pad_friction'?"),
+    '"pad_friction"\nper = "train"': ('"pad_friction"\nper = "axle"', "the same 'per'"),
+    'distribution = "lognormal"\nmean = 1\ndeviation = 0.08': (
+        'distribution = "empirical"\nvalues = [1.0]', "at least two different values"),
+    "deviation = 0.08": ("deviation = 0.08\nvalues = [1, 2]", "values: does not belong"),
+    'distribution = "lognormal"\nmean = 1\ndeviation = 0.05': (
+        'distribution = "empirical"\nfile = "no.csv"', "no.csv"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("right", WRONG_TIES)
+def test_what_cannot_go_together_is_refused(right: str, tmp_path: Path) -> None:
+    wrong, sentence = WRONG_TIES[right]
+    assert right in TIED
+    with pytest.raises(RailgripError) as error:
+        tied(tmp_path, TIED.replace(right, wrong, 1))
+    assert sentence in str(error.value)

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from railgrip.campaign.rare.failures import FailureStates, failure_states
-from railgrip.campaign.safety.case import OF_TRAIN, SafetyCase, Variable
-from railgrip.campaign.safety.marginals import value
+from railgrip.campaign.safety.case import SafetyCase
+from railgrip.campaign.safety.marginals import of_sample, value
+from railgrip.campaign.safety.variable import OF_TRAIN, Variable
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine import layout as at
 from railgrip.engine.lower_train import lower_train, nominal_friction
@@ -84,6 +85,8 @@ class Layout(NamedTuple):
         How many normal numbers.
     fails : (units, braked axles) bool
         Which brakes a unit takes with it.
+    together : list of (columns, factor)
+        Normal numbers that are correlated, (places, variables), and Cholesky's factor.
     control : int
         The unit that is the brake control, or −1.
     states : FailureStates
@@ -99,6 +102,7 @@ class Layout(NamedTuple):
     states: FailureStates
     owner: list[int]
     control: int
+    together: list[tuple[NDArray[np.intp], FloatArray]]
 
 
 def layout_of(case: SafetyCase) -> Layout:
@@ -127,7 +131,28 @@ def layout_of(case: SafetyCase) -> Layout:
     control = -1 if takes.all() else int(np.flatnonzero(~takes)[0])
     if control >= 0:
         states = _apart(states, control)
-    return Layout(brakes, variables, n, fails, states, _owners(variables, n, fails), control)
+    together = _together(case, variables)
+    owner = _owners(variables, n, fails)
+    for columns, _ in together:
+        for place in columns:
+            # a number of one of them acts through the others too
+            if len({owner[column] for column in place}) > 1:
+                for column in place:
+                    owner[column] = -1
+    return Layout(brakes, variables, n, fails, states, owner, control, together)
+
+
+def _together(
+    case: SafetyCase, variables: list[tuple[Variable, NDArray[np.intp]]]
+) -> list[tuple[NDArray[np.intp], FloatArray]]:
+    own = {variable.label: np.unique(column[column >= 0]) for variable, column in variables}
+    return [
+        (
+            np.column_stack([own[name] for name in one.variables]),
+            np.linalg.cholesky(np.array(one.matrix)),
+        )
+        for one in case.correlation
+    ]
 
 
 def _brakes(case: SafetyCase) -> Brakes:
@@ -236,10 +261,18 @@ def trains(layout: Layout, normals: FloatArray, failed: BoolArray) -> Trains:
         "deceleration_scale": np.ones((runs, 1)),
         "deceleration_offset": np.zeros((runs, 1)),
     }
+    if layout.together:
+        normals = normals.copy()
+        for columns, factor in layout.together:
+            normals[:, columns] = normals[:, columns] @ factor.T
     for variable, column in layout.variables:
         target = found[variable.quantity]
         acts = np.flatnonzero(column >= 0)[: 1 if variable.quantity in OF_TRAIN else None]
-        drawn = value(variable.distribution, variable.numbers, normals[:, column[acts]])
+        scores = normals[:, column[acts]]
+        if variable.distribution == "empirical":
+            drawn = of_sample(variable.sample, scores)
+        else:
+            drawn = value(variable.distribution, variable.numbers, scores)
         here = np.arange(target.shape[1]) if variable.quantity in OF_TRAIN else acts
         if variable.means == "value":
             target[:, here] = drawn

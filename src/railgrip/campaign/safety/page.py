@@ -38,7 +38,7 @@ ASSUMPTIONS = (
     "with the confidence of the level. K_wet_rst(V): mean deceleration distance dry over wet, the "
     "same trains on both, none failed.",
     "A_brake_safe = K_dry (K_wet + M_NVAVADH (1 − K_wet)) A_brake_emergency (SUBSET-026 §3.13).",
-    "All quantities scatter independently unless 'per' says that axles share one; units fail "
+    "Quantities scatter independently unless 'per' or a correlation ties them; units fail "
     "independently. A failed unit gives no brake force, nobody notices, and nothing takes its "
     "place but what a deceleration controller asks of the others. Where the brake control itself "
     "fails, the brakes work as without it.",
@@ -189,10 +189,25 @@ def _variables(found: SafetyFactors) -> str:
         numbers = ", ".join(f"{name} {getattr(one, name)}" for name in
                             ("mean", "deviation", "low", "mode", "high")
                             if getattr(one, name) is not None)  # fmt: skip
-        rows.append([one.quantity, one.per, one.means, one.distribution, numbers,
+        if one.values:
+            sample = one.sample
+            numbers = f"{len(sample)} values, {min(sample):g} … {max(sample):g} (SI) {one.file}"
+        rows.append([one.label, one.per, one.means, one.distribution, numbers,
                      ", ".join(one.brakes) or "all", one.source])  # fmt: skip
     heads = ["quantity", "per", "as", "distribution", "numbers", "brakes", "source"]
-    return table(heads, rows, "What scatters", "text")
+    return table(heads, rows, "What scatters", "text") + _correlations(found)
+
+
+def _correlations(found: SafetyFactors) -> str:
+    rows = [
+        [first, second, f"{one.matrix[i][j]:g}"]
+        for one in found.case.correlation
+        for i, first in enumerate(one.variables)
+        for j, second in enumerate(one.variables)
+        if i < j
+    ]
+    heads = ["", "with", "correlation of normal scores, within each place"]
+    return table(heads, rows, "What goes together (Gaussian copula)", "text") if rows else ""
 
 
 def _failures(found: SafetyFactors) -> str:
