@@ -10,7 +10,8 @@ import numpy as np
 from pydantic import Field, ValidationError, field_validator, model_validator
 
 from railgrip import data
-from railgrip.campaign.distributions import Distribution, Empirical
+from railgrip.campaign.distribution_kinds import Empirical
+from railgrip.campaign.distributions import Distribution
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.io.toml_file import load, read_toml
 from railgrip.report.metrics import SOURCES
