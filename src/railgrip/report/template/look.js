@@ -17,8 +17,13 @@ const DARK = {
 };
 const look = () => (dark.matches && !printing ? DARK : LIGHT);
 
+// A page that compares gives each run a colour; the same ones stand in page.css.
+const runColour = (run) => look().many[run.key % look().many.length];
+const runDash = (run) => (run.key < look().many.length ? [] : [6, 3]);
+
 // Few axles: a colour each. Many: the colour of their vehicle.
 function axleColour(axle, picked) {
+  if (runs) return runColour(data);
   const many = look().many;
   if (picked.length <= many.length) return many[picked.indexOf(axle) % many.length];
   return vehicleColour(data.vehicle_of[axle]);
