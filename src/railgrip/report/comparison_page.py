@@ -20,7 +20,7 @@ from railgrip.report.view import View, dataset_of
 
 MOST = 12
 """Runs on one page: more could not be told apart."""
-COLOURS = 6
+COLOURS = 8
 
 
 def comparison_html(runs: Mapping[str, Any]) -> str:
@@ -63,6 +63,17 @@ def comparison_html(runs: Mapping[str, Any]) -> str:
     )  # fmt: skip
 
 
+def breakable(name: str) -> str:
+    """Return a name, escaped, that may break after its underscores.
+
+    Examples
+    --------
+    >>> breakable("peak_seeking")
+    'peak_<wbr>seeking'
+    """
+    return escape(name).replace("_", "_<wbr>")
+
+
 def _run(number: int, name: str, view: View, figures: list[Metric]) -> str:
     """Return how one run ended, beside its colour."""
     state = "good" if view.number("status") in ENDED_WELL else "bad"
@@ -73,7 +84,7 @@ def _run(number: int, name: str, view: View, figures: list[Metric]) -> str:
     if state == "bad" and len(view.time):
         ended += f" Shown up to {view.time[-1]:.2f} s."
     return (
-        f'<li><i class="swatch s{number % COLOURS}"></i> <strong>{escape(name)}</strong> '
+        f'<li><i class="swatch s{number % COLOURS}"></i> <strong>{breakable(name)}</strong> '
         f'<span class="{state}">{escape(ended)}</span></li>'
     )
 
@@ -93,7 +104,7 @@ def _choice(views: Mapping[str, View]) -> str:
     """Return the buttons that choose the run looked at."""
     buttons = "\n".join(
         f'<label><input type="radio" name="looked" value="{i}"{" checked" if i == 0 else ""}> '
-        f'<i class="swatch s{i % COLOURS}"></i> {escape(name)}</label>'
+        f'<i class="swatch s{i % COLOURS}"></i> {breakable(name)}</label>'
         for i, name in enumerate(views)
     )
     return f'<fieldset class="looked"><legend>Looked at</legend>\n{buttons}\n</fieldset>\n'

@@ -21,8 +21,8 @@ WORDS: dict[str, Wording] = {
     "stopping_distance": Wording("stops {} longer", "stops {} shorter", "stops as short"),
     "covered_distance": Wording("covers {} more", "covers {} less"),
     "slid_energy": Wording(
-        "puts {} more into the wheels of its worst axle",
-        "puts {} less into the wheels of its worst axle",
+        "has {} more slid energy on its worst axle",
+        "has {} less slid energy on its worst axle",
     ),
     "flash_temperature": Wording(
         "its hottest contact rises {} further", "its hottest contact rises {} less"

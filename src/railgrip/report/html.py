@@ -146,6 +146,7 @@ def stage(views: Sequence[View], drawn: Sequence[str], looked: str = "") -> str:
     return Template(_template("charts.html")).substitute(
         charts=charts or "<p>This run was made without traces.</p>",
         looked=looked,
+        kind=" compared" if looked else "",
         behind="Behind it" if looked else "Laid over",
     )
 

@@ -143,7 +143,8 @@ def table(
     strong: str = "",
 ) -> str:
     """Return a table whose first column names the row."""
-    top = "".join(f'<th scope="col">{escape(head)}</th>' for head in heads)
+    heads = [escape(head).replace("_", "_<wbr>") for head in heads]
+    top = "".join(f'<th scope="col">{head}</th>' for head in heads)
     body = []
     for label, cells in rows:
         mark = ' class="worst"' if strong and label == strong else ""

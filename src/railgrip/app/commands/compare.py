@@ -11,7 +11,7 @@ from cyclopts import Parameter
 
 from railgrip.app import results
 from railgrip.app.files import folder_of_results
-from railgrip.app.inputs import changes_from, formats_from, read_scenario
+from railgrip.app.inputs import Named, changes_from, formats_from, read_scenario
 from railgrip.app.options import Changes, Json
 from railgrip.app.runs import simulate_all, variants
 from railgrip.app.screen import as_plain, print_json, print_table, working
@@ -63,10 +63,11 @@ def compare(
     """
     words = [word.strip() for word in controllers.split(",") if word.strip()]
     _refuse_nothing_to_compare(files, words, measured, channels)
+    _refuse_a_crowd(len(files) * max(len(words), 1), no_report, measured, out)
     wanted, formats = changes_from(changes or []), formats_from(figures)
-    wanted |= {} if seed is None else {"run.seed": seed}
     with working("reading the scenarios"):
-        named = variants([read_scenario(file, wanted) for file in files], words)
+        read = [_with_seed(read_scenario(file, wanted), seed) for file in files]
+        named = variants(read, words)
     runs = simulate_all(named)
     first, *others = runs
     overlay = _laid_over(runs[first], measured, channels)
@@ -104,6 +105,30 @@ def _refuse_nothing_to_compare(
         what = "--measured and --map belong together"
         cure = "--measured stop.csv --map channels.toml"
         raise RailgripError(Problem("compare", what, cure=cure))
+
+
+def _with_seed(named: Named, seed: int | None) -> Named:
+    """Return the scenario with another seed; a random field with a seed of its own gets it too."""
+    if seed is None:
+        return named
+    field = named.scenario.rail.random
+    changes = {"run.seed": seed}
+    if field is not None and field.seed is not None:
+        changes["rail.random.seed"] = seed
+    return Named(named.name, named.scenario.with_(changes))
+
+
+def _refuse_a_crowd(runs: int, no_report: bool, measured: Path | None, out: Path | None) -> None:
+    """Refuse before the first run what the report could not hold."""
+    from railgrip.report.comparison_page import MOST
+
+    if runs > MOST and not no_report:
+        what, cure = "too many runs for one page", "--no-report, or fewer of them"
+        got, allowed = f"{runs}", f"2 to {MOST}"
+        raise RailgripError(Problem("compare", what, got=got, allowed=allowed, cure=cure))
+    if measured is not None and out is not None and out.suffix == ".html":
+        what, cure = "is a folder where a stop is measured", f"--out {out.with_suffix('')}"
+        raise RailgripError(Problem("--out", what, got=str(out), cure=cure))
 
 
 def _write(

@@ -36,7 +36,7 @@ function linesOf(chart, state) {
   data.ghosts.forEach((ghost, g) => {
     if (state.hidden.has(ghost.key)) return;
     const style = ghost.measured ? { colour: c.measured, dash: [5, 3] }
-      : runs ? { colour: runColour(ghost) + "a0", dash: runDash(ghost) }
+      : runs ? { colour: runColour(ghost) + "b8", dash: runDash(ghost) }
       : { colour: c.ghost, dash: [[], [6, 3], [2, 3], [8, 3, 2, 3]][g % 4] };
     const put = (label, values, width, whole) => add(label, onto(x, ghost[over], values), { ...style, width, whole, ghost: g + 1 });
     const table = (chart.axle && ghost.axle[chart.axle]) || [];

@@ -86,29 +86,32 @@ const COLUMNS = [
   ["adhesion_used", "used", 3], ["adhesion_available", "avail.", 3], ["disc_temperature", "°C", 0],
 ].filter(([name]) => data.axle[name]);
 
-const HEADS = { train_speed: "train km/h", wheel_speed: "wheel km/h", slip: "slip %", brake_cylinder_pressure: "bar", contact_force: "kN",
-  flash_temperature: "flash K", disc_temperature: "disc °C", rail_friction: "rail", deceleration: "m/s²" };
+const HEADS = { train_speed: "train, km/h", wheel_speed: "wheel, km/h", slip: "slip, %", brake_cylinder_pressure: "cylinder, bar", contact_force: "force, kN",
+  flash_temperature: "flash, K", disc_temperature: "disc, °C", rail_friction: "rail friction", deceleration: "brakes, m/s²" };
 const DECIMALS = { train_speed: 1, wheel_speed: 1, slip: 1, brake_cylinder_pressure: 2, contact_force: 1, flash_temperature: 0, disc_temperature: 0, rail_friction: 3, deceleration: 2 };
 
-// Every run at the same time or place, for the first axle that is picked.
+// Every run at the same time or place, for the first axle that is picked: a column each.
 function readRuns(at) {
   const here = state.x[at], axle = data.axles[state.picked[0]];
   const place = state.over === "time" ? ["Time", shown(here, 2, "s")] : ["Distance", shown(here, 1, "m")];
   byId("train-values").replaceChildren(...[place, ["Axle", axle || "none picked"]].flatMap(([name, text]) => [element("dt", name), element("dd", text)]));
-  const names = Object.keys(HEADS).filter((name) => runs.some((run) => run.train[name] || run.axle[name]));
+  const seen = runs.filter((run) => run.key === data.key || !state.hidden.has(run.key));
+  const samples = seen.map((run) => sampleAt(run, state.over, here));
   const head = element("tr", "");
-  head.append(element("th", "run", { scope: "col" }), ...names.map((name) => element("th", HEADS[name], { scope: "col" })));
+  head.append(element("th", "", { scope: "col" }), ...seen.map((run) => {
+    const cell = element("th", "", { scope: "col", className: run.key === data.key ? "looked" : "" });
+    cell.append(swatch(run), element("span", ` ${breakable(run.name)}`));
+    return cell;
+  }));
   byId("axle-heads").replaceChildren(head);
-  byId("axle-values").replaceChildren(...runs.filter((run) => run.key === data.key || !state.hidden.has(run.key)).map((run) => {
-    const row = element("tr", "", { className: run.key === data.key ? "worst" : "" });
-    const label = element("th", "", { scope: "row" });
-    label.append(element("i", "", { className: `swatch s${run.key % 6}` }), ` ${run.name}`);
-    row.append(label);
-    const k = sampleAt(run, state.over, here), own = run.axles.indexOf(axle);
-    for (const name of names) {
-      const values = run.train[name] || (run.axle[name] && run.axle[name][own]);
-      row.append(element("td", k === null || !values ? "–" : shown(values[k], DECIMALS[name])));
-    }
+  const names = Object.keys(HEADS).filter((name) => runs.some((run) => run.train[name] || run.axle[name]));
+  byId("axle-values").replaceChildren(...names.map((name) => {
+    const row = element("tr", "");
+    row.append(element("th", HEADS[name], { scope: "row" }), ...seen.map((run, k) => {
+      const values = run.train[name] || (run.axle[name] && run.axle[name][run.axles.indexOf(axle)]);
+      const text = samples[k] === null || !values ? "–" : shown(values[samples[k]], DECIMALS[name]);
+      return element("td", text, { className: run.key === data.key ? "looked" : "" });
+    }));
     return row;
   }));
 }
@@ -218,7 +221,7 @@ function showOthers() {
       else state.hidden.add(ghost.key);
       rebuild();
     });
-    if (runs) label.append(box, " ", element("i", "", { className: `swatch s${ghost.key % 6}` }), ` ${ghost.name}`);
+    if (runs) label.append(box, " ", swatch(ghost), ` ${breakable(ghost.name)}`);
     else label.append(box, ` ${ghost.name}`);
     place.append(label);
   });
