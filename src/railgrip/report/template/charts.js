@@ -1,7 +1,7 @@
 // The charts: what each draws, and how they share cursor and zoom.
 
 const CHARTS = [
-  { id: "speed", unit: "km/h", decimals: 1, axle: "wheel_speed", train: { train_speed: "train", reference_speed: "reference" }, floor: 0, height: 320 },
+  { id: "speed", unit: "km/h", decimals: 1, axle: "wheel_speed", under: "unit_reference_speed", underLabel: "its reference", train: { train_speed: "train", reference_speed: "reference" }, floor: 0, height: 320 },
   { id: "slip", unit: "%", decimals: 1, axle: "slip", thresholds: true, height: 240 },
   { id: "pressure", unit: "bar", decimals: 2, axle: "brake_cylinder_pressure", floor: 0, height: 220 },
   { id: "valve", valves: true },
@@ -57,7 +57,7 @@ function linesOf(chart, state) {
     for (const axle of picked) {
       const colour = axleColour(axle, picked);
       const under = chart.under && data.axle[chart.under];
-      if (under) add("available", under[axle], { colour, dash: [4, 3], width: 1, quiet: true });
+      if (under) add(chart.underLabel || "available", under[axle], { colour, dash: [4, 3], width: 1, quiet: true });
       const dotted = chart.dotted && picked.length <= 4 && data.axle[chart.dotted];
       if (dotted) add("asked", dotted[axle], { colour, dash: [1, 3], width: 1, quiet: true });
       add(data.axles[axle], rows[axle], { colour, axle, dash: runs ? runDash(data) : [], width: runs ? 1.8 : picked.length > 6 ? 1 : 1.4 });
@@ -72,7 +72,8 @@ function linesOf(chart, state) {
     data.thresholds.forEach((t, k) => add(t.name, below(t.values), { colour: c.soft, dash: [[6, 3], [8, 3, 2, 3], [2, 3]][k % 3], named: true }));
   }
   for (const [name, label] of Object.entries(chart.train || {})) {
-    if (data.train[name]) {
+    // with several units the reference is drawn axle by axle
+    if (data.train[name] && !(name === "reference_speed" && data.axle.unit_reference_speed)) {
       const whole = runs ? { colour: runColour(data), dash: runDash(data), width: 2.4 } : { colour: c.ink, width: 2 };
       add(runs && name !== "reference_speed" ? data.name : label, data.train[name], name === "reference_speed"
         ? { colour: c.soft, dash: [6, 3], named: true } : { ...whole, named: true });

@@ -68,6 +68,7 @@ function keyOf(u, chart, lines) {
     parts.push(span);
   }
   if (lines.some((line) => line.label === "available")) parts.push(element("span", "dashed: available"));
+  if (lines.some((line) => line.label === "its reference")) parts.push(element("span", "dashed, thin: reference of the axle's own unit"));
   if (lines.some((line) => line.label === "asked")) parts.push(element("span", "dotted: asked"));
   if (chart.valves) {
     VALVES.forEach((name, k) => {
