@@ -9,13 +9,21 @@ from html import escape
 from typing import Any, NamedTuple
 
 STYLE = """
+:root{color-scheme:light dark;--ink:#1c1f24;--paper:#fff;--card:#f3f5f7;--line:#d5d9df}
+@media screen and (prefers-color-scheme:dark){
+:root{--ink:#e6eaed;--paper:#14191d;--card:#1e252b;--line:#35404a}}
 body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;
-padding:0 1rem;color:#1c1f24}
-table{border-collapse:collapse;margin:1rem 0}th,td{padding:.25rem .8rem;text-align:right;
-border-bottom:1px solid #d5d9df}th:first-child,td:first-child{text-align:left}
-img{max-width:100%;height:auto}pre{overflow:auto;background:#f3f5f7;padding:1rem}
-.note{border-left:4px solid #0b5fa5;padding:.3rem 1rem;background:#f3f5f7}
+padding:0 1rem;color:var(--ink);background:var(--paper);overflow-wrap:break-word}
+table{border-collapse:collapse;margin:1rem 0;display:block;overflow-x:auto}
+th,td{padding:.25rem .8rem;text-align:right;border-bottom:1px solid var(--line)}
+th:first-child,td:first-child{text-align:left}
+.picture{overflow-x:auto}.picture img{max-width:100%;height:auto;background:#fff;border-radius:4px}
+pre{overflow:auto;background:var(--card);padding:1rem}
+.note{border-left:4px solid #0b5fa5;padding:.3rem 1rem;background:var(--card)}
+@media (max-width:600px){h1{font-size:1.5rem}th,td{padding:.2rem .45rem;white-space:nowrap}
+td:first-child{white-space:normal}.picture img{max-width:none;width:36rem}}
 """
+"""Of a page without scripts: light or dark as its reader likes; on a phone tables scroll."""
 
 
 class Section(NamedTuple):
@@ -42,7 +50,7 @@ def campaign_html(title: str, lead: str, sections: Sequence[Section]) -> str:
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
-        '<meta name="viewport" content="width=device-width">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<title>{escape(title)}</title><style>{STYLE}</style></head><body>"
         f'<h1>{escape(title)}</h1><p class="note">Simulation, not an approval.</p>'
         f"<p>{escape(lead)}</p>{body}</body></html>\n"
@@ -59,7 +67,7 @@ def _section(one: Section) -> str:
         rows = "".join(f"<tr>{line}</tr>" for line in lines)
         parts.append(f"<table><tr>{head}</tr>{rows}</table>")
     if one.figure is not None:
-        parts.append(f'<img alt="{escape(one.title)}" src="{_picture(one.figure)}">')
+        parts.append(picture(one.figure, one.title))
     if one.preformatted:
         parts.append(
             f"<details><summary>show</summary><pre>{escape(one.preformatted)}</pre></details>"
@@ -67,7 +75,9 @@ def _section(one: Section) -> str:
     return "".join(parts)
 
 
-def _picture(figure: Any) -> str:
+def picture(figure: Any, meaning: str) -> str:
+    """Return a figure of Matplotlib as the element that shows it; ``meaning`` is read out."""
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", dpi=110)
-    return "data:image/png;base64," + base64.b64encode(buffer.getvalue()).decode("ascii")
+    source = "data:image/png;base64," + base64.b64encode(buffer.getvalue()).decode("ascii")
+    return f'<div class="picture"><img alt="{escape(meaning)}" src="{source}"></div>'

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import io
 from collections.abc import Mapping, Sequence
 from html import escape
 from itertools import pairwise
@@ -13,17 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from railgrip.engine.journey.drive import JourneyRun
+from railgrip.report.campaign_page import STYLE, picture
 from railgrip.report.plots.journey import draw_speeds, draw_trade_off
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
-
-_STYLE = """
-body{font:16px/1.5 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#222}
-table{border-collapse:collapse;margin:1rem 0}
-td,th{padding:.25rem .8rem;border-bottom:1px solid #ddd;
-text-align:right}td:first-child,th:first-child{text-align:left}img{max-width:100%}
-"""
 
 
 def energy_rows(run: JourneyRun) -> list[tuple[str, str]]:
@@ -70,13 +62,16 @@ def page(
     """
     journey = run.journey
     title = journey.title or f"{journey.train.title} on {journey.line.title}"
-    speeds = _figure((10, 4.5), lambda axes: draw_speeds(axes, journey, runs))
-    trade = _figure((7, 4.2), lambda axes: draw_trade_off(axes, curves))
+    speeds = _figure(
+        "Speed over distance", (10, 4.5), lambda axes: draw_speeds(axes, journey, runs)
+    )
+    trade = _figure("Energy over time", (7, 4.2), lambda axes: draw_trade_off(axes, curves))
     legs = [["from – to, s", *times], *leg_rows(journey, times)]
     energy = [["flat out", "kWh"], *map(list, energy_rows(run))]
     return (
         f"<!doctype html><html lang='en'><meta charset='utf-8'><title>{escape(title)}</title>"
-        f"<style>{_STYLE}</style><h1>{escape(title)}</h1>{_table(summary)}"
+        "<meta name='viewport' content='width=device-width, initial-scale=1'>"
+        f"<style>{STYLE}</style><h1>{escape(title)}</h1>{_table(summary)}"
         f"<h2>Speed over distance</h2>{speeds}<h2>Running times</h2>{_table(legs)}"
         f"<h2>Energy</h2>{_table(energy)}<h2>Energy over time</h2>{trade}"
         f"<p>Line: {escape(journey.line.source)}. Train: {escape(journey.train.source)}. "
@@ -95,15 +90,11 @@ def _table(rows: Sequence[Sequence[str]]) -> str:
     return f"<table>{line(rows[0], 'th')}{''.join(line(row, 'td') for row in rows[1:])}</table>"
 
 
-def _figure(size: tuple[float, float], draw: Any) -> str:
+def _figure(meaning: str, size: tuple[float, float], draw: Any) -> str:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, layout="constrained")
     FigureCanvasAgg(figure)
     draw(figure.subplots())
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=110)
-    return (
-        f"<img alt='' src='data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}'>"
-    )
+    return picture(figure, meaning)
