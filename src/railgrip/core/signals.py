@@ -63,6 +63,20 @@ _CATALOGUE = (
     Signal("wheel_speed", "w", "m/s", _AXLE, "True peripheral speed of the wheel at the tread."),
     Signal("measured_speed", "w_m", "m/s", _AXLE, "Wheel speed as the controller measures it."),
     Signal(
+        "unit_reference_speed",
+        "v_ref",
+        "m/s",
+        _AXLE,
+        "Train speed as the axle's own unit believes it, where there are several.",
+    ),
+    Signal(
+        "unit_state",
+        "",
+        "1",
+        _AXLE,
+        "Number of the state that the axle's own unit is in, where there are several.",
+    ),
+    Signal(
         "creepage",
         "s",
         "1",

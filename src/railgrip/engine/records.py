@@ -39,6 +39,7 @@ AXLE_TRACES = (
     "brake_cylinder_pressure", "supply_pressure", "dump_valve", "clamp_force", "pad_friction",
     "brake_force", "dynamic_force", "disc_temperature", "hub_temperature", "is_sliding", "alarm",
     "flash_temperature", "slip_range", "wsp_alarm", "estimated_friction",
+    "unit_reference_speed", "unit_state",
 )  # fmt: skip
 """Columns of Outcome.trace_axle."""
 
@@ -114,6 +115,8 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
     row[22] = command[ctl.SLIP_RANGE]
     row[23] = command[ctl.ALARM]
     row[24] = S[b + at.ESTIMATED_FRICTION * L]
+    row[25] = command[ctl.REFERENCE_SPEED]
+    row[26] = command[ctl.WSP_STATE]
 
 
 @compiled

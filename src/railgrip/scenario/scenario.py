@@ -21,10 +21,11 @@ from railgrip.scenario.line import Route
 from railgrip.scenario.merge import with_path
 from railgrip.scenario.rail import Rail
 from railgrip.scenario.reference import Reference
-from railgrip.scenario.run import Run, Wsp
+from railgrip.scenario.run import Run
 from railgrip.scenario.train import Train
 from railgrip.scenario.trip import Trip
 from railgrip.scenario.units import Dimensionless
+from railgrip.scenario.wsp import Wsp
 
 LoadState = Literal["normal", "empty", "laden"]
 
@@ -121,6 +122,7 @@ class Scenario(Model):
             *scenario._limits_fit_speed(),
             *scenario._can_drive(),
             *scenario._faults_have_axles(),
+            *scenario.wsp.problems(scenario.train),
         ]
         if problems:
             raise RailgripError(problems)
