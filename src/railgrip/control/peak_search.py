@@ -15,9 +15,9 @@ from railgrip.control.traction_parameters import (
     DITHER,
     DITHER_TIME,
     FORCE_ERROR,
-    MEAN_TIME,
     OBSERVER_LAG,
     SEARCH_MARGIN,
+    SEARCH_MEAN_TIME,
     SEARCH_RATE,
     SEARCH_SLOPE,
     SLOPE_DRIFT,
@@ -102,7 +102,7 @@ def seek_peak(
         state[own + MEAN_SLIP] = lag
         state[own + MEAN_FORCE] = force
         return
-    blend = dt / (parameters[MEAN_TIME] + dt)
+    blend = dt / (parameters[SEARCH_MEAN_TIME] + dt)
     mean_slip = state[own + MEAN_SLIP] + blend * (lag - state[own + MEAN_SLIP])
     mean_force = state[own + MEAN_FORCE] + blend * (force - state[own + MEAN_FORCE])
     state[own + MEAN_SLIP] = mean_slip
