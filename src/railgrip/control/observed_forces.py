@@ -42,6 +42,9 @@ from railgrip.control.conventional_state import REFERENCE
 from railgrip.control.slip_band import threshold
 from railgrip.control.slip_ranges import range_place
 
+SETTLED = 0.3
+"""So long an axle must have been observed before its force counts as F0, s."""
+
 
 def clear_sums(state: FloatArray, n_axles: int) -> None:
     """Set the sums over both ranges to zero."""
@@ -98,7 +101,11 @@ def weigh_axle(
     state[block + FORCE] += blend * (signal - state[block + FORCE])
     if slip_speed < parameters[ADHESION_SHARE] * breaking:
         state[block + IS_ARMED] = 1.0
-    elif slip_speed > breaking and growth > parameters[BREAKAWAY_GROWTH]:
+    elif (
+        slip_speed > breaking
+        and growth > parameters[BREAKAWAY_GROWTH]
+        and state[block + RANGE_CLOCK] > SETTLED
+    ):
         if state[block + IS_ARMED] > 0.0:
             state[block + F0] = max(state[block + FORCE], 0.0)
         state[block + IS_ARMED] = 0.0
