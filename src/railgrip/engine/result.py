@@ -38,6 +38,10 @@ OF_BRAKE_CONTROL = {
 """What only a train with brake control has to tell."""
 
 
+OF_DRIVELINE = {"motor_speed", "driveline_torque", "energy_driveline"}
+"""What only a train whose motors turn their wheels through a shaft has to tell."""
+
+
 def drives(scenario: Scenario) -> bool:
     """Return whether a run is more than a stop: it drives, or goes on for a given time."""
     return bool(scenario.run.drive) or scenario.run.duration is not None
@@ -117,6 +121,9 @@ class Result:
             )  # fmt: skip
         if not drives(scenario):
             variables = {name: v for name, v in variables.items() if name not in OF_DRIVING}
+        traction = scenario.train.traction
+        if traction is None or traction.driveline is None:
+            variables = {n: v for n, v in variables.items() if n not in OF_DRIVELINE}
         if scenario.brake_control is None:
             variables = {n: v for n, v in variables.items() if n not in OF_BRAKE_CONTROL}
         data = xr.Dataset(
@@ -150,7 +157,7 @@ def _outcomes(scenario: Scenario, out: Outcome) -> Variables:
     with np.errstate(divide="ignore", invalid="ignore"):
         found["mean_deceleration"] = (("run",), speed**2 / (2 * distance))
     taken = sum(table[f"energy_{name}"] for name in (
-        "contact", "brake", "dynamic", "track_brake", "resistance", "gradient",
+        "contact", "brake", "dynamic", "track_brake", "resistance", "gradient", "driveline",
     ))  # fmt: skip
     given = table["energy_kinetic_initial"] + table["energy_traction"]
     residual = given - table["energy_kinetic_final"] - taken
