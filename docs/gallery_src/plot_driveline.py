@@ -42,7 +42,7 @@ least = np.array([least_damping(w) for w in slips])
 # A start of a locomotive on dry rail, whose wheels are held at 1 m/s of slip (macro-slip of the
 # adaptive control, which is never left), with a shaft of enough and one of too little damping. The
 # control answers the swing too, so that the limit is not the bare one above: with it in the loop
-# 1.0 kN·m·s/rad let the swing grow and 1.5 did not, where the bare shaft needs 4.2. The bare limit is
+# 1.0 kN·m·s/rad let the swing grow and 1.5 did not, where the bare shaft needs 4.2. That one is
 # what tests/reference/driveline holds.
 
 

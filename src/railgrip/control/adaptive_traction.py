@@ -50,11 +50,11 @@ from railgrip.control.slip_band import threshold
 from railgrip.control.slip_ranges import range_place
 from railgrip.control.traction_common import (
     acts_on,
+    agree,
     brake_conventionally,
     command_motor,
     lead_slip,
     observe_while_driving,
-    sand_together,
 )
 from railgrip.control.traction_parameters import (
     MACRO_SLIP,
@@ -180,7 +180,7 @@ def adaptive_traction_kernel(
                 share = spin_deep(parameters, axle_setup, state, measured, axle)
         command_motor(parameters, state, measured, command, axle, share, dt)
         command[axle, SLIP_RANGE] = state[range_place(axle, n_axles)]
-    sand_together(command, n_axles)
+    agree(axle_setup, state, command, n_axles)
 
 
 class AdaptiveTraction(KernelController):

@@ -16,11 +16,11 @@ from railgrip.control.peak_search import seek_peak, slip_aimed_at
 from railgrip.control.plain_form import KernelController
 from railgrip.control.traction_common import (
     acts_on,
+    agree,
     brake_conventionally,
     command_motor,
     lead_slip,
     observe_while_driving,
-    sand_together,
     traction_initial,
 )
 from railgrip.control.traction_parameters import TARGET_START, PeakSeekingParameters
@@ -85,7 +85,7 @@ def peak_seeking_kernel(
         if acts_on(axle_setup, state, axle):
             share = hold_at_peak(parameters, axle_setup, state, measured, axle, dt)
         command_motor(parameters, state, measured, command, axle, share, dt)
-    sand_together(command, measured.shape[0])
+    agree(axle_setup, state, command, measured.shape[0])
 
 
 class PeakSeekingTraction(KernelController):

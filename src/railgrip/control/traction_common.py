@@ -47,6 +47,7 @@ from railgrip.control.conventional_state import (
 )
 from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.diameter_compensation import learn_diameters
+from railgrip.control.driven_faults import drive_as_neighbours, watch_driven_sensors
 from railgrip.control.driving_sights import know_train_speed
 from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, threshold
@@ -105,6 +106,7 @@ def observe_while_driving(
     """Update wheels, forces of the rails, and reference speed in the state."""
     n_axles = measured.shape[0]
     look_at_wheels(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
+    watch_driven_sensors(parameters, axle_setup, state, measured, dt)
     for axle in range(n_axles):
         _observe_force(parameters, axle_setup, state, measured, axle, dt)
     know_train_speed(parameters, axle_setup, state, measured, dt)
@@ -219,8 +221,12 @@ def acts_on(axle_setup: FloatArray, state: FloatArray, axle: int) -> bool:
     return bool(axle_setup[axle, MOTORED] > 0.0 and is_sound)
 
 
-def sand_together(command: FloatArray, n_axles: int) -> None:
-    """Let every sander work while one driven axle wants sand: wheels without a motor never spin."""
+def agree(axle_setup: FloatArray, state: FloatArray, command: FloatArray, n_axles: int) -> None:
+    """Let motors of wheels that are not believed follow the others, and every sander work at once.
+
+    Wheels without a motor never spin, so all sanders work while one driven axle wants sand.
+    """
+    drive_as_neighbours(axle_setup, state, command, n_axles)
     is_wanted = 0.0
     for axle in range(n_axles):
         is_wanted = max(is_wanted, command[axle, SANDING])

@@ -41,7 +41,8 @@ MEAN_SLIP: Final = 12  # means against which their ups and downs are taken
 MEAN_FORCE: Final = 13
 SLOPE: Final = 14  # (dF/F)/(dw/w), of the adhesion curve at the target
 DOUBT_OF_SLOPE: Final = 15  # its variance
-N_OWN: Final = 16
+STRANGE_CLOCK: Final = 16  # how long the sensor has read what no pulling wheel shows, s
+N_OWN: Final = 17
 
 
 def train_base(n_axles: int) -> int:
@@ -61,7 +62,7 @@ def own_base(n_axles: int, axle: int) -> int:
     Examples
     --------
     >>> own_base(2, 1) - own_base(2, 0)
-    16
+    17
     """
     return train_base(n_axles) + N_TRAIN + axle * N_OWN
 
@@ -72,6 +73,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(1) - train_base(1)
-    27
+    28
     """
     return own_base(n_axles, n_axles)
