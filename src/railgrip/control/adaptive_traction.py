@@ -132,7 +132,9 @@ def look_at_forces(
             state[axle_place(axle, n_axles) + F0] = 0.0
             state[axle_place(axle, n_axles) + IS_ARMED] = 1.0
         growth = state[base + ACCELERATION] + state[DECELERATION]
-        n_lead = weigh_axle(supervision, state, axle, n_axles, n_lead, force, spin, growth, dt)
+        n_lead = weigh_axle(
+            supervision, state, axle, n_axles, n_lead, force, spin, growth, state[REFERENCE], dt
+        )
 
 
 def spin_deep(

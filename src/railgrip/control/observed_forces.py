@@ -38,7 +38,6 @@ from railgrip.control.adaptive_state import (
     system_place,
 )
 from railgrip.control.contract import MICRO, FloatArray
-from railgrip.control.conventional_state import REFERENCE
 from railgrip.control.slip_band import threshold
 from railgrip.control.slip_ranges import range_place
 
@@ -64,7 +63,7 @@ def leave_out(state: FloatArray, axle: int, n_axles: int) -> None:
 
 def weigh_axle(
     parameters: FloatArray, state: FloatArray, axle: int, n_axles: int, n_lead: float,
-    force: float, slip_speed: float, growth: float, dt: float,
+    force: float, slip_speed: float, growth: float, reference: float, dt: float,
 ) -> float:  # fmt: skip
     """Update F0, mean and slid distance of one axle, and add them to the sums of its range.
 
@@ -73,7 +72,7 @@ def weigh_axle(
     parameters : ndarray
         Those of `Supervision` at the places that `adaptive_parameters` has for them.
     state : ndarray
-        As in the controller contract.
+        Begins so that the places of `adaptive_state` hold in it.
     axle, n_axles : int
         Row of the axle, number of axles.
     n_lead : float
@@ -84,6 +83,8 @@ def weigh_axle(
         In the same sense, ≥ 0 while it slides, [m/s].
     growth : float
         Rate of the slip speed, [m/s²].
+    reference : float
+        Reference speed, [m/s].
     dt : float
         Time since the last call, [s].
 
@@ -93,7 +94,7 @@ def weigh_axle(
         Leading test axles, this one included.
     """
     block = axle_place(axle, n_axles)
-    breaking = threshold(parameters[BREAKAWAY_SLIP], parameters[BREAKAWAY_FLOOR], state[REFERENCE])
+    breaking = threshold(parameters[BREAKAWAY_SLIP], parameters[BREAKAWAY_FLOOR], reference)
     is_lead = n_lead < parameters[LEAD_AXLES]
     state[block + IS_LEAD] = 1.0 if is_lead else 0.0
     signal = force * state[block + FACTOR]
