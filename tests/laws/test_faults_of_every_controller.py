@@ -36,8 +36,8 @@ LONGEST = 1.3
 """Stopping distance over that of the sound train; without the vote of released wheels a sensor that
 reads 5 % too fast makes 3.5, noise of 1 m/s more than 4."""
 LONGER = {("temperature_adaptive", "5 % too fast"): 1.45}
-"""Known: such a sensor is not found out, and this controller leads the others to a small slip from a
-reference speed that is 5 % too high; measured 1.39."""
+"""Known: such a sensor is not found out, and this controller leads the others to a small slip from
+a reference speed that is 5 % too high; measured 1.39."""
 LOCK = 0.4
 """Longest lock of the other axles above 30 km/h, s."""
 AXLE = 4
