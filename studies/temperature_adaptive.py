@@ -24,11 +24,6 @@ TRAINS: Final = {"continuous": "emu_four_car_emb", "valves": "emu_four_car"}
 SET_POINTS: Final = {"continuous": 0.5, "valves": 0.35}
 CONDITIONS: Final = ("water_detergent", "leaves")
 CONTROLLERS: Final = ("temperature_controlled", "temperature_adaptive", "adaptive", "micro_slip")
-RANDOM: Final = {
-    "water_detergent": {"mean": 0.10, "spread": 0.03, "correlation_length": "100 m"},
-    "leaves": {"mean": 0.05, "spread": 0.015, "correlation_length": "100 m"},
-}
-"""Illustrative, those of studies/temperature_control.py."""
 
 
 def stop(kind: str, condition: str, controller: str) -> rg.Scenario:
@@ -38,13 +33,16 @@ def stop(kind: str, condition: str, controller: str) -> rg.Scenario:
     table["sander"] = None
     for axle in (a for v in table["vehicle"] for b in v["bogie"] for a in b["axle"]):
         axle["sander"] = False
+    described = scenario.with_({"rail": {"condition": condition}}).rail.condition
+    level = described.contaminated.static_friction
+    random = {"mean": level, "spread": 0.3 * level, "correlation_length": "100 m", "seed": SEED}
     parameters: dict[str, float] = {}
     if controller.startswith("temperature"):
         parameters["set_point"] = SET_POINTS[kind]
     return scenario.with_(
         {
             "train": table,
-            "rail": {"condition": condition, "random": {**RANDOM[condition], "seed": SEED}},
+            "rail": {"condition": condition, "random": random},
             "run.time_limit": "500 s",
             "wsp": {"controller": controller, "parameters": parameters},
         }
@@ -78,8 +76,8 @@ def study(fields: int) -> dict[str, Any]:
 def markdown(table: dict[str, Any], fields: int) -> str:
     """Return the table of the documentation."""
     lines = [
-        f"160 km/h, {fields} random fields; distance in m, mean of the greatest rise in K, slid",
-        "energy in MJ.",
+        f"160 km/h, {fields} random fields; distance in m, mean of the greatest rise in K (at any",
+        "speed), slid energy in MJ.",
         "",
         f"| brakes, rail | {' | '.join(CONTROLLERS)} |",
         "|---" * (len(CONTROLLERS) + 1) + "|",
