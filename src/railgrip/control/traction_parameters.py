@@ -97,6 +97,9 @@ class PeakSearch(NamedTuple):
         Slope at which that is reached.
     search_margin : float
         Slope aimed at: above 0 the target stays a little before the peak.
+    speed_forward : float
+        How far the target moves with the train's speed: 1, a peak at a creepage; 0, a peak at a
+        slip speed.
 
     Examples
     --------
@@ -119,6 +122,7 @@ class PeakSearch(NamedTuple):
     search_rate: float = 1.0
     search_slope: float = 0.1
     search_margin: float = 0.02
+    speed_forward: float = 0.0
 
 
 class DeepSlip(NamedTuple):
@@ -185,6 +189,7 @@ SLOPE_DRIFT: Final = _search("slope_drift")
 SEARCH_RATE: Final = _search("search_rate")
 SEARCH_SLOPE: Final = _search("search_slope")
 SEARCH_MARGIN: Final = _search("search_margin")
+SPEED_FORWARD: Final = _search("speed_forward")
 
 MACRO_SLIP: Final = _deep("macro_slip")
 MACRO_SLIP_FLOOR: Final = _deep("macro_slip_floor")
