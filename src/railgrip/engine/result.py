@@ -40,6 +40,8 @@ OF_BRAKE_CONTROL = {
 
 OF_UNITS = {"unit_reference_speed", "unit_state"}
 """What only a train with several computers of the protection has to tell."""
+OF_DRIVELINE = {"motor_speed", "driveline_torque", "energy_driveline"}
+"""What only a train whose motors turn their wheels through a shaft has to tell."""
 
 
 def drives(scenario: Scenario) -> bool:
@@ -125,6 +127,9 @@ class Result:
             variables = {name: v for name, v in variables.items() if name not in OF_DRIVING}
         if not scenario.wsp.unit:
             variables = {name: v for name, v in variables.items() if name not in OF_UNITS}
+        traction = scenario.train.traction
+        if traction is None or traction.driveline is None:
+            variables = {n: v for n, v in variables.items() if n not in OF_DRIVELINE}
         if scenario.brake_control is None:
             variables = {n: v for n, v in variables.items() if n not in OF_BRAKE_CONTROL}
         data = xr.Dataset(
@@ -159,7 +164,7 @@ def _outcomes(scenario: Scenario, out: Outcome) -> Variables:
     with np.errstate(divide="ignore", invalid="ignore"):
         found["mean_deceleration"] = (("run",), speed**2 / (2 * distance))
     taken = sum(table[f"energy_{name}"] for name in (
-        "contact", "brake", "dynamic", "track_brake", "resistance", "gradient",
+        "contact", "brake", "dynamic", "track_brake", "resistance", "gradient", "driveline",
     ))  # fmt: skip
     given = table["energy_kinetic_initial"] + table["energy_traction"]
     residual = given - table["energy_kinetic_final"] - taken

@@ -8,6 +8,7 @@ from typing import Any
 from railgrip.compiler import compiled
 from railgrip.control import contract as ctl
 from railgrip.engine import layout as at
+from railgrip.engine.driveline import begin_driveline
 from railgrip.engine.rail import enter_cells, field_before, lay_rail
 from railgrip.engine.records import kinetic_energy
 from railgrip.engine.sensing import note_brake_command
@@ -79,6 +80,7 @@ def _begin_axle(L: int, S: Any, plan: Any, k: int, axle: int) -> None:
     speed = S[at.TRAIN_SPEED * L + k]
     believed = speed * S[b + at.BELIEVED_RATIO * L]
     S[b + at.WHEEL_SPEED * L] = speed
+    begin_driveline(L, S, b, speed, plan.timing.tick)
     S[b + at.SPEED_BEFORE * L] = speed
     S[b + at.RING_TEMPERATURE * L] = S[b + at.START_TEMPERATURE * L]
     S[b + at.HUB_TEMPERATURE * L] = S[b + at.START_TEMPERATURE * L]

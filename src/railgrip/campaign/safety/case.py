@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from railgrip import data
 from railgrip.campaign.campaign_file import Correlation, read_sample
-from railgrip.campaign.distributions import Empirical
+from railgrip.campaign.distribution_kinds import Empirical
 from railgrip.campaign.safety.variable import OF_PLANT, Variable
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.io.toml_file import read_toml

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
 
-from railgrip.campaign.distributions import Empirical
+from railgrip.campaign.distribution_kinds import Empirical
 from railgrip.core.errors import Problem
 
 FloatArray = NDArray[np.float64]
