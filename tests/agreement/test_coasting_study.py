@@ -46,7 +46,7 @@ def test_tuned_coasting_makes_most_of_the_saving_that_a_little_time_offers() -> 
     for trains in STORED.values():
         for row in trains.values():
             best = max(one["share"] for one in row["tuned"]["0.05"].values())
-            assert 0.6 < best <= 1.0 + BELOW
+            assert 0.55 < best <= 1.0 + BELOW
 
 
 def test_untuned_runs_are_made_again(study: Any) -> None:

