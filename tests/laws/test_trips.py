@@ -9,7 +9,8 @@ import pytest
 
 import railgrip as rg
 from railgrip.core.errors import RailgripError
-from railgrip.engine.trip import TripRun, drive_trip, journey_of
+from railgrip.engine.journey.of_scenario import journey_of
+from railgrip.engine.trip import TripRun, drive_trip
 
 STOPS = [{"at": 0}, {"at": "4 km"}, {"at": "9 km"}]
 

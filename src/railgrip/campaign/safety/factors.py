@@ -253,6 +253,7 @@ def _rows(found: SafetyFactors) -> list[dict[str, Any]]:
                     "k_wet_low": None if step.wet is None else step.wet.low,
                     "k_wet_high": None if step.wet is None else step.wet.high,
                     "a_brake_emergency": step.emergency_deceleration,
+                    "build_up_time": step.build_up_time,
                     "a_brake_safe": decelerations[level][number],
                     "stopping_distance_safe": distances[level][number],
                 }
