@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 
 import railgrip
-from railgrip.campaign.programme.perform import Programme, TestRecord
+from railgrip.campaign.programme.perform import Programme
 from railgrip.campaign.programme.profile import read_profile
+from railgrip.campaign.programme.records import TestRecord
 from railgrip.campaign.programme.verdict import mean_interval
 from railgrip.control.etcs.steps import constant
 from railgrip.control.etcs.train_data import safe_deceleration

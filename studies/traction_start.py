@@ -21,9 +21,18 @@ import railgrip as rg
 
 SEED: Final = 2026
 FIELDS: Final = 20
-CONTROLLERS: Final = (
-    "none", "conventional_traction", "peak_seeking_traction", "temperature_controlled",
-)  # fmt: skip
+CONTROLLERS: Final[dict[str, dict[str, Any]]] = {
+    "none": {},
+    "conventional_traction": {},
+    "peak_seeking_traction": {},
+    "temperature_controlled": {},
+    "always macro": {"start": 2.0, "decide_distance": 1e9},
+    "adaptive_traction": {},
+}
+"""Column of the table → parameters; "always macro" is the adaptive control that never decides.
+
+Always micro is the peak seeker itself.
+"""
 
 
 class Case(NamedTuple):
@@ -94,7 +103,11 @@ def share_used(result: rg.Result, after: float = 0.0) -> float:
 
 def row(name: str, controller: str, fields: int) -> dict[str, float | None]:
     """Return what one controller reaches in one case: means over the fields, greatest error."""
-    chosen = start(name).with_({"wsp": {"controller": controller}})
+    wsp: dict[str, Any] = {
+        "controller": "adaptive_traction" if controller == "always macro" else controller,
+        "parameters": CONTROLLERS[controller],
+    }
+    chosen = start(name).with_({"wsp": wsp})
     if CASES[name].is_random:
         starts = [chosen.with_({"rail.random.seed": SEED + i}) for i in range(fields)]
     else:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import sqrt
-
 import numpy as np
 import pytest
 
@@ -12,10 +10,12 @@ from railgrip.control.coasting.coasting_parameters import CoastingParameters
 from railgrip.control.coasting.moving_authority import moving_authority
 from railgrip.control.etcs.steps import constant
 from railgrip.core.errors import RailgripError
-from railgrip.engine.journey.drive import FLAT_OUT, DrivingLaw, drive
+from railgrip.engine.journey.coasting import coasting_of
+from railgrip.engine.journey.drive import FLAT_OUT, drive
 from railgrip.engine.journey.following import Authority, authority_of, follow, leading
 from railgrip.laboratory.coasting_run import Driver
 from railgrip.laboratory.point_train import PointTrain
+from railgrip.scenario.coasting import Coasting
 from railgrip.scenario.journey import Journey
 
 FAST = PointTrain(200e3, 0.06, 150e3, 2.5e6, (2.5e3, 30.0, 6.0), 0.7)
@@ -38,29 +38,10 @@ JOURNEY = Journey(
 )
 
 
-def cut(position, speed, parameters, state, demand):
-    """Cut traction above the parabolic coasting-initiation curve of targets at a stand."""
-    square, limit = parameters[0] ** 2 * 2.0, parameters[0]
-    for k in range(1, len(parameters)):
-        distance = parameters[k] - position
-        if distance > 1e-6:
-            square = min(square, 2.0 * OWN * distance)
-            limit = min(limit, sqrt(2.0 * BRAKING * distance))
-    above = speed - sqrt(square)
-    acts = above > -1e-7 if state[0] == 0.0 else above > 1e-7 - BAND
-    if speed >= limit * (1.0 - 1e-10):  # nearer than the kernel's own tolerance of the ceiling
-        acts = False
-    demand[0] = 0.0 if acts else 1.0
-    demand[1] = 0.0
-    demand[2] = 1.0 if acts else 0.0
-
-
-CUT = DrivingLaw(
-    cut,
-    lambda leg: (
-        np.array([1e3, *(at for at, speed in leg.targets if speed == 0.0)]),
-        np.zeros(1),
-    ),
+CUT = coasting_of(
+    JOURNEY.model_copy(
+        update={"coasting": Coasting(coasting_deceleration=OWN, hysteresis=BAND, least_speed=0.0)}
+    )
 )
 
 

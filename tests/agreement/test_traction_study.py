@@ -18,7 +18,9 @@ SPEC.loader.exec_module(STUDY)
 
 
 @pytest.mark.parametrize("case", ["unit, leaves, 5 ‰", "locomotive, leaves, 10 ‰"])
-@pytest.mark.parametrize("controller", ["conventional_traction", "peak_seeking_traction"])
+@pytest.mark.parametrize(
+    "controller", ["conventional_traction", "peak_seeking_traction", "adaptive_traction"]
+)
 def test_a_start_agrees_with_the_stored_one(case: str, controller: str) -> None:
     """Within 5 %: thresholds make single runs differ between processors."""
     found, stored = STUDY.row(case, controller, 1), STORED["starts"][case][controller]
@@ -34,3 +36,6 @@ def test_what_the_documentation_claims() -> None:
         assert table[case]["peak_seeking_traction"]["share_after_5_s"] > 0.95
         assert table[case]["peak_seeking_traction"]["reference_error"] < 0.4
     assert table["locomotive, wet, 10 ‰"]["peak_seeking_traction"]["share_after_5_s"] < 0.9
+    for case in table:
+        better = max(table[case][c]["distance"] for c in ("peak_seeking_traction", "always macro"))
+        assert table[case]["adaptive_traction"]["distance"] > 0.94 * better, case

@@ -134,3 +134,20 @@ def test_patches_keep_their_own_level(coach: Coach) -> None:
     beyond = (place > 16000.0) & (place < 40000.0)
     assert rail[inside].mean() == pytest.approx(0.05, rel=0.06)
     assert rail[beyond].mean() == pytest.approx(MEAN, rel=0.06)
+
+
+def test_every_controller_runs_on_the_same_random_rail() -> None:
+    """Bit for bit, wherever two trains have been: what is compared is the protection."""
+    scenario = rg.load("random_rail").with_({"run.speed": "60 km/h", "rail.random.seed": 11})
+    rails = {}
+    for controller in ("conventional", "adaptive", "temperature_controlled", "none"):
+        result = rg.simulate(scenario.with_({"wsp.controller": controller}))
+        rails[controller] = result["rail_friction_before"].values[0]
+        assert result["rail_friction_before"].values[0].std() > 0.005
+    shared = min(map(len, rails.values()))
+    assert shared > 100
+    first = rails["conventional"][:shared]
+    for rail in rails.values():
+        assert np.array_equal(rail[:shared], first)
+    other = rg.simulate(scenario.with_({"rail.random.seed": 12}))["rail_friction_before"].values[0]
+    assert not np.array_equal(other[:shared], first[: len(other)])

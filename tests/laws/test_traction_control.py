@@ -47,6 +47,16 @@ def test_the_peak_seeker_uses_nine_tenths_of_a_steady_rail(study: Any, case: str
     assert np.abs(error[late]).max() < 0.4
 
 
+def test_a_target_that_moves_with_the_speed_follows_a_peak_at_a_creepage(study: Any) -> None:
+    """Wet, light locomotive: 2 m/s faster each second; the search alone comes late."""
+    case, moving = "locomotive, wet, 10 ‰", {"speed_forward": 1.0, "dither": 0.2}
+    late = study.share_used(run(study, case, "peak_seeking_traction"), after=5.0)
+    wsp = {"controller": "peak_seeking_traction", "parameters": moving}
+    ahead = study.share_used(run(study, case, "", wsp=wsp), after=5.0)
+    assert late < 0.89
+    assert ahead > 0.895
+
+
 @pytest.mark.parametrize("controller", CONTROLLERS)
 @pytest.mark.parametrize("inverter", ["axle", "bogie", "vehicle"])
 def test_with_a_common_inverter_the_least_share_counts(

@@ -134,6 +134,85 @@ def test_compare_puts_controllers_side_by_side(railgrip: Command, short: Path) -
     assert found["runs"]["none"]["metrics"]["valve_cycles"]["value"] == 0
 
 
+FAILS = """
+import numpy as np
+from railgrip.control.contract import Command
+
+
+class WSP:
+    period = 0.01
+
+    def reset(self, setup):
+        return {"left": 100, "n": setup.n_axles}
+
+    def step(self, state, measured, dt):
+        state["left"] -= 1
+        if state["left"] < 0:
+            raise ValueError("out of ideas")
+        n = state["n"]
+        return Command(np.zeros(n), np.ones(n), np.zeros(n), float(measured.wheel_speed.max()))
+"""
+
+
+def test_compare_writes_one_page_and_its_table(
+    railgrip: Command, short: Path, tmp_path: Path
+) -> None:
+    """A controller that fails under way is told, and does not take the others with it."""
+    (tmp_path / "hasty.py").write_text(FAILS, encoding="utf-8")
+    words = ("--controllers", "conventional,hasty.py,none", "--seed", "5")
+    done = railgrip("compare", short.name, *words, "--out", "both/page.html")
+    assert done.returncode == 1, done.stderr
+    assert "hasty: wsp.controller: WSP.step failed; got ValueError: out of ideas" in done.stdout
+    assert "hasty does not come to a stand" in done.stdout
+    names = sorted(path.name for path in (tmp_path / "both").iterdir())
+    assert names == ["page.csv", "page.html", "page.json"]
+    table = (tmp_path / "both" / "page.csv").read_text(encoding="utf-8").splitlines()
+    assert table[0] == "figure,unit,conventional,hasty,none"
+    found = json.loads((tmp_path / "both" / "page.json").read_text(encoding="utf-8"))
+    assert found["runs"]["hasty"]["status"] == "CONTROLLER_FAILED"
+    assert found["runs"]["none"]["status"] == "STOPPED"
+    page = (tmp_path / "both" / "page.html").read_text(encoding="utf-8")
+    assert "seed 5" in page
+    assert "Shown up to 1.0" in page
+
+
+def test_compare_gives_a_random_rail_another_seed(railgrip: Command) -> None:
+    """Also where the field has a seed of its own; the same seed gives the same figures again."""
+    words = (
+        "compare",
+        "random_rail",
+        "--controllers",
+        "conventional,none",
+        "--no-report",
+        "--json",
+    )
+    slow = ("--set", "run.speed=40km/h")
+    found = [
+        json.loads(railgrip(*words, "--seed", seed, *slow).stdout)["runs"]["conventional"][
+            "metrics"
+        ]
+        for seed in ("2", "3", "2")
+    ]
+    assert found[0] == found[2]
+    assert found[0]["stopping_distance"] != found[1]["stopping_distance"]
+
+
+def test_compare_refuses_what_it_cannot_show(
+    railgrip: Command, short: Path, tmp_path: Path
+) -> None:
+    before = sorted(tmp_path.iterdir())
+    for words, told in {
+        ("conventional,adaptiv",): "did you mean 'adaptive'",
+        ("conventional",): "there is nothing to compare the run with",
+        (",".join(["none"] * 13),): "too many runs for one page; got 13; allowed: 2 to 12",
+    }.items():
+        done = railgrip("compare", short.name, "--controllers", *words, "--out", "page.html")
+        assert done.returncode == 2, done.stdout
+        assert told in done.stderr
+        assert len(done.stderr.splitlines()) == 1
+    assert sorted(tmp_path.iterdir()) == before
+
+
 def test_compare_lays_a_measured_stop_over_the_run(
     railgrip: Command, short: Path, tmp_path: Path
 ) -> None:

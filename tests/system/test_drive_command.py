@@ -29,7 +29,9 @@ def test_drive_prints_and_writes_a_page(folder, capsys):
     assert told["optimum"]["running_time"] == pytest.approx(1.05 * told["optimum"]["least_time"])
     page = (folder / told["report"]).read_text(encoding="utf-8")
     assert page.count("<img") == 2
-    assert "http" not in page.replace("https://", "http").split("<p>Line")[0]
+    assert not any(
+        outside in page for outside in ('src="http', 'href="http', "url(http", "<script")
+    )
 
 
 def test_impossible_time_says_the_least_possible(folder, capsys):
@@ -49,3 +51,36 @@ def test_import_writes_what_drive_takes_and_never_overwrites(folder, capsys):
     assert execute(["drive", "c.toml", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["flat_out"]["running_time"] == pytest.approx(525.02, rel=2e-4)
+
+
+def test_coasting_is_driven_tuned_and_logged(folder, capsys):
+    Path("b.toml").write_text(
+        JOURNEY + "\n[coasting]\ncoasting_deceleration = 0.1\n", encoding="utf-8"
+    )
+    assert execute(["drive", "b.toml", "--supplement", "0.1", "--tune", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    fast, rule, tuned, best = (
+        told[name] for name in ("flat_out", "coasting", "coasting_tuned", "optimum")
+    )
+    assert tuned["running_time"] <= best["running_time"] * 1.0001
+    assert fast["energy"]["pantograph"] > tuned["energy"]["pantograph"] > 0.999 * best["energy"]
+    assert [one["is_acting"] for one in rule["log"]].count(True) >= 1
+    assert 0.0 < tuned["parameters"]["coasting_deceleration"] < 0.5
+    page = Path(told["report"]).read_text(encoding="utf-8")
+    assert "Indicators, coasting" in page
+
+
+@pytest.mark.parametrize(
+    ("table", "sentence"),
+    [
+        ("coasting_deceleration = 9", "coasting.coasting_deceleration"),
+        ("coasting_deceleration = '3 m/s^2'", "must be above 0 and below braking"),
+        ("shape = 'strait'", "coasting.shape"),
+        ("hysteresis = '-3 km/h'", "coasting.hysteresis"),
+    ],
+)
+def test_bad_coasting_is_explained(folder, capsys, table, sentence):
+    Path("b.toml").write_text(f"{JOURNEY}\n[coasting]\n{table}\n", encoding="utf-8")
+    assert execute(["drive", "b.toml"]) == 2
+    assert sentence in capsys.readouterr().err
+    assert not (folder / "out").exists()

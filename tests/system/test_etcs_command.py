@@ -88,3 +88,60 @@ def test_bad_input(name: str, case: Path, capsys: pytest.CaptureFixture[str]) ->
     assert word in told.err
     assert told.out == ""
     assert not (case.parent / "out").exists()
+
+
+def factors(**changes):
+    """A table as `railgrip campaign safety` writes it: two speed steps, two levels."""
+    return {
+        "rows": [
+            {
+                "speed": speed / 3.6, "ebcl": level, "k_dry_low": k, "k_wet_low": 0.9,
+                "a_brake_emergency": a, "build_up_time": 2.0, **changes,
+            }
+            for speed, a, ks in ((80, 1.2, (1.0, 0.7)), (160, 1.0, (0.99, 0.6)))
+            for level, k in zip((0, 9), ks, strict=True)
+        ]
+    }  # fmt: skip
+
+
+def test_factors_of_a_safety_case_become_the_trains(tmp_path, monkeypatch, capsys):
+    """The same as a file that says so: K 0.7 up to 80 km/h, 0.6 beyond, Kwet 0.9."""
+    monkeypatch.chdir(tmp_path)
+    Path("factors.json").write_text(json.dumps(factors()), encoding="utf-8")
+    Path("a.toml").write_text(GAMMA, encoding="utf-8")
+    said = GAMMA.replace(
+        'emergency = [{ value = "1.1 m/s^2" }, { from = "100 km/h", value = "0.9 m/s^2" }]',
+        'emergency = [{ value = "1.2 m/s^2" }, { from = "80 km/h", value = "1 m/s^2" }]',
+    ).replace("kwet = [{ value = 0.85 }]", "kwet = [{ value = 0.9 }]").replace(
+        "steps = [{ value = 0.9 }]", 'steps = [{ value = 0.7 }, { from = "80 km/h", value = 0.6 }]'
+    ).replace('emergency_time = "3 s"', 'emergency_time = "2 s"')  # fmt: skip
+    Path("b.toml").write_text(said, encoding="utf-8")
+    assert execute(["etcs", "a.toml", "--factors", "factors.json", "--json"]) == 0
+    fed = json.loads(capsys.readouterr().out)
+    assert execute(["etcs", "b.toml", "--json"]) == 0
+    written = json.loads(capsys.readouterr().out)
+    assert execute(["etcs", "a.toml", "--json"]) == 0
+    plain = json.loads(capsys.readouterr().out)
+    for curve in ("ebd", "ebi", "sbi2"):
+        assert fed[curve] == pytest.approx(written[curve], rel=1e-9)
+    assert fed["ebd"][-1] > 1.2 * plain["ebd"][-1]
+
+
+@pytest.mark.parametrize(
+    ("content", "sentence"),
+    [
+        (None, "cannot be read"),
+        ("[1, 2]", "is no table of railgrip campaign safety"),
+        (json.dumps({"rows": []}), "is no table of railgrip campaign safety"),
+        (json.dumps(factors(k_dry_low=None)), "EBCL 9 is not resolved"),
+        (json.dumps(factors(a_brake_emergency=-1)), "train.emergency"),
+    ],
+)
+def test_bad_factors_are_explained(tmp_path, monkeypatch, capsys, content, sentence):
+    monkeypatch.chdir(tmp_path)
+    Path("a.toml").write_text(GAMMA, encoding="utf-8")
+    if content is not None:
+        Path("factors.json").write_text(content, encoding="utf-8")
+    assert execute(["etcs", "a.toml", "--factors", "factors.json"]) == 2
+    assert sentence in capsys.readouterr().err
+    assert not Path("out").exists()

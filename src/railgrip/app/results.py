@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -60,7 +60,13 @@ def show(result: Result, name: str) -> None:
     print(result.sentence)
 
 
-def write(result: Result, folder: Path, formats: Sequence[str] = (), **report: Any) -> list[Path]:
+def write(
+    result: Result,
+    folder: Path,
+    formats: Sequence[str] = (),
+    pages: Mapping[str, str] | None = None,
+    **report: Any,
+) -> list[Path]:
     """Write report, data and curves into a folder, all or nothing; return their paths.
 
     Parameters
@@ -71,6 +77,8 @@ def write(result: Result, folder: Path, formats: Sequence[str] = (), **report: A
         Made if it is not there.
     formats : sequence of str
         ``png``, ``svg``, ``pdf``: figures for documents, which take longer than the simulation.
+    pages : mapping, optional
+        File name → text, in place of the report about the one run.
     **report
         ``ghost`` and ``measured`` of `railgrip.report.html.write_report`.
     """
@@ -79,7 +87,10 @@ def write(result: Result, folder: Path, formats: Sequence[str] = (), **report: A
     from railgrip.report.html import write_report
 
     with folder_of_results(folder) as aside:
-        write_report(result, aside / "report.html", **report)
+        if pages is None:
+            write_report(result, aside / "report.html", **report)
+        for name, text in (pages or {}).items():
+            (aside / name).write_text(text, encoding="utf-8")
         save(result, aside / "result.nc")
         write_csv(result, aside / "traces.csv")
         if formats:

@@ -26,7 +26,10 @@ def variants(named: list[Named], controllers: list[str]) -> list[Named]:
 
 
 def simulate_all(named: list[Named]) -> dict[str, Result]:
-    """Run every scenario; return the results by name, in order."""
+    """Run every scenario; return the results by name, in order.
+
+    Runs of one seed have one random rail, whatever protects the wheels on it.
+    """
     import railgrip
 
     runs: dict[str, Result] = {}

@@ -14,7 +14,7 @@ import numpy as np
 
 from railgrip.campaign.campaign_file import CampaignFile
 from railgrip.campaign.collecting import Collector, find_collector
-from railgrip.campaign.distributions import Values
+from railgrip.campaign.distribution_kinds import Values
 from railgrip.campaign.drawing import Column, Drawing, Draws
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.status import RunStatus

@@ -10,7 +10,8 @@ import numpy as np
 from pydantic import Field, ValidationError, field_validator, model_validator
 
 from railgrip import data
-from railgrip.campaign.distributions import Distribution, Empirical
+from railgrip.campaign.distribution_kinds import Empirical
+from railgrip.campaign.distributions import Distribution
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.io.toml_file import load, read_toml
 from railgrip.report.metrics import SOURCES
@@ -232,7 +233,7 @@ def _resolved(campaign: CampaignFile, folder: Path) -> CampaignFile:
     for i, variable in enumerate(campaign.variable):
         where = f"variable[{i}].distribution"
         if isinstance(variable.distribution, Empirical) and variable.distribution.file:
-            read = _sample(variable.distribution, folder, where)
+            read = read_sample(variable.distribution, folder, where)
             variable = variable.model_copy(update={"distribution": read})
         variables.append(variable)
     collector = campaign.collector
@@ -243,7 +244,8 @@ def _resolved(campaign: CampaignFile, folder: Path) -> CampaignFile:
     return campaign.model_copy(update=changes)
 
 
-def _sample(distribution: Empirical, folder: Path, where: str) -> Empirical:
+def read_sample(distribution: Empirical, folder: Path, where: str) -> Empirical:
+    """Return the distribution with the values of its file, whose name begins in a folder."""
     lines = [line for line in read_text(folder / distribution.file).splitlines() if line.strip()]
     rows = [[cell.strip() for cell in line.split(",")] for line in lines if line[:1] != "#"]
     column = 0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +27,8 @@ def find_collector(word: str) -> Collector | None:
     Raises
     ------
     RailgripError
-        ``collector: 'mine.py' holds no function 'energy'``
+        ``collector: 'mine.py' holds no function 'energy'``; when called: ``'mine.py:energy' failed
+        with KeyError…``, ``… must return one value for each run as 'energy'``
     """
     if not word:
         return None
@@ -38,21 +39,46 @@ def find_collector(word: str) -> Collector | None:
         function = _from_file(Path(file), name)
 
     def collect(scenario: Scenario, out: Outcome, runs: int) -> dict[str, Any]:
+        figures = figures_of(scenario, out)
+        taken = {"run", *figures}
         try:
-            found = function(figures_of(scenario, out))
-            columns = {str(key): np.asarray(column) for key, column in dict(found).items()}
+            found = function(figures)
         except Exception as error:
             what = f"'{word}' failed with {type(error).__name__}: {error}"
-            raise RailgripError(Problem("collector", what)) from error
-        for key, column in columns.items():
-            if column.shape != (runs,):
-                what = f"'{word}' must return one value for each run as '{key}'"
-                raise RailgripError(
-                    Problem("collector", what, f"shape {column.shape}", f"({runs},)")
-                )
-        return columns
+            cure = f"figures there are: {', '.join(sorted(taken - {'run'}))}"
+            is_missing = isinstance(error, KeyError)
+            raise RailgripError(
+                Problem("collector", what, cure=cure if is_missing else "")
+            ) from error
+        return _checked(word, found, runs, taken)
 
     return collect
+
+
+def _checked(word: str, found: Any, runs: int, taken: set[str]) -> dict[str, Any]:
+    """Return what a collector gave as columns; refuse what is not one number for each run."""
+    if not isinstance(found, Mapping):
+        what = f"'{word}' must return a dictionary of arrays"
+        raise RailgripError(Problem("collector", what, got=type(found).__name__))
+    columns = {}
+    for key, values in found.items():
+        name = str(key)
+        if name in taken:
+            what = f"'{word}' returns '{name}', which every campaign has"
+            cure = "give it another name; keep = [...] keeps figures as they are"
+            raise RailgripError(Problem("collector", what, cure=cure))
+        try:
+            column = np.asarray(values)
+        except ValueError:
+            column = np.empty(0, dtype=object)
+        if column.shape != (runs,):
+            what = f"'{word}' must return one value for each run as '{name}'"
+            raise RailgripError(Problem("collector", what, f"shape {column.shape}", f"({runs},)"))
+        if column.dtype.kind not in "biuf":
+            what = f"'{word}' must return numbers as '{name}'"
+            raise RailgripError(Problem("collector", what, got=str(column.dtype)))
+        columns[name] = column
+    return columns
 
 
 def _from_file(path: Path, name: str) -> Any:

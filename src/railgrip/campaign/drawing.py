@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from railgrip.campaign.campaign_file import CampaignFile, Variable
-from railgrip.campaign.distributions import Values
+from railgrip.campaign.distribution_kinds import Values
 from railgrip.campaign.sampling import uniform_numbers
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.plan import FloatArray

@@ -24,11 +24,11 @@ from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
 from railgrip.control.traction_common import (
     acts_on,
+    agree,
     brake_conventionally,
     command_motor,
     demanded_force,
     observe_while_driving,
-    sand_together,
     traction_initial,
 )
 from railgrip.control.traction_parameters import (
@@ -113,7 +113,7 @@ def conventional_traction_kernel(
         if acts_on(axle_setup, state, axle):
             share = ease_torque(parameters, axle_setup, state, measured, axle, dt)
         command_motor(parameters, state, measured, command, axle, share, dt)
-    sand_together(command, measured.shape[0])
+    agree(axle_setup, state, command, measured.shape[0])
 
 
 class ConventionalTraction(KernelController):

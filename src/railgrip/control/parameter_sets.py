@@ -10,7 +10,7 @@ from collections import namedtuple
 from typing import Any
 
 
-def joined(name: str, *parts: Any) -> Any:
+def joined(name: str, *parts: Any, **other: float) -> Any:
     """Return the NamedTuple class that has the fields and defaults of all parts, in their order.
 
     Parameters
@@ -19,6 +19,8 @@ def joined(name: str, *parts: Any) -> Any:
         Name of the class.
     *parts : NamedTuple classes
         Every field with a default, no name twice; their docstrings describe the fields.
+    **other : float
+        Fields whose default here is another one than in their part.
 
     Examples
     --------
@@ -29,9 +31,12 @@ def joined(name: str, *parts: Any) -> Any:
     ...     b: float = 2.0
     >>> joined("AB", A, B)()._replace(b=3.0)
     AB(a=1.0, b=3.0)
+    >>> joined("AB", A, B, b=4.0)().b
+    4.0
     """
     fields = [field for part in parts for field in part._fields]
-    defaults = [value for part in parts for value in part._field_defaults.values()]
+    values = {name: value for part in parts for name, value in part._field_defaults.items()}
+    defaults = [other.get(field, values[field]) for field in fields]
     made: Any = namedtuple(name, fields, defaults=defaults)  # type: ignore[misc]
     made.__doc__ = f"Fields of {', '.join(part.__name__ for part in parts)}, SI."
     return made

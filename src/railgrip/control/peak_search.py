@@ -10,17 +10,18 @@ from __future__ import annotations
 import math
 
 from railgrip.control.contract import FloatArray
-from railgrip.control.conventional_state import REFERENCE
+from railgrip.control.conventional_state import DECELERATION, REFERENCE
 from railgrip.control.traction_parameters import (
     DITHER,
     DITHER_TIME,
     FORCE_ERROR,
-    MEAN_TIME,
     OBSERVER_LAG,
     SEARCH_MARGIN,
+    SEARCH_MEAN_TIME,
     SEARCH_RATE,
     SEARCH_SLOPE,
     SLOPE_DRIFT,
+    SPEED_FORWARD,
     TARGET_GREATEST,
     TARGET_GREATEST_SHARE,
     TARGET_LEAST,
@@ -39,6 +40,10 @@ from railgrip.control.traction_state import (
 
 FARTHEST = 1.0
 """A slip that differs by more than this share from its mean tells nothing of the slope there."""
+
+
+FORWARD_ABOVE = 2.0
+"""Least speed over which a gain of speed is taken, where the target moves with it, m/s."""
 
 
 def observe_slope(
@@ -102,7 +107,7 @@ def seek_peak(
         state[own + MEAN_SLIP] = lag
         state[own + MEAN_FORCE] = force
         return
-    blend = dt / (parameters[MEAN_TIME] + dt)
+    blend = dt / (parameters[SEARCH_MEAN_TIME] + dt)
     mean_slip = state[own + MEAN_SLIP] + blend * (lag - state[own + MEAN_SLIP])
     mean_force = state[own + MEAN_FORCE] + blend * (force - state[own + MEAN_FORCE])
     state[own + MEAN_SLIP] = mean_slip
@@ -117,7 +122,9 @@ def seek_peak(
             )  # fmt: skip
     pull = (state[own + SLOPE] - parameters[SEARCH_MARGIN]) / parameters[SEARCH_SLOPE]
     pull = max(-1.0, min(1.0, pull))
-    state[own + TARGET] *= 1.0 + parameters[SEARCH_RATE] * pull * dt
+    gain = max(-state[DECELERATION], 0.0) / max(state[REFERENCE], FORWARD_ABOVE)
+    rate = parameters[SEARCH_RATE] * pull + parameters[SPEED_FORWARD] * gain
+    state[own + TARGET] *= 1.0 + rate * dt
     _bound(parameters, state, own)
 
 

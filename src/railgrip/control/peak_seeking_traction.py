@@ -10,30 +10,23 @@ from __future__ import annotations
 from typing import Any
 
 from railgrip.control.contract import FloatArray
-from railgrip.control.conventional_state import DECELERATION, REFERENCE, SPEED, axle_base
+from railgrip.control.conventional_state import REFERENCE, SPEED, axle_base
 from railgrip.control.driving_reference import is_driving
 from railgrip.control.peak_search import seek_peak, slip_aimed_at
 from railgrip.control.plain_form import KernelController
 from railgrip.control.traction_common import (
-    STANDING,
     acts_on,
+    agree,
     brake_conventionally,
     command_motor,
-    demanded_force,
+    lead_slip,
     observe_while_driving,
-    sand_together,
     traction_initial,
 )
-from railgrip.control.traction_parameters import (
-    SLIP_GAIN,
-    TARGET_START,
-    PeakSeekingParameters,
-)
+from railgrip.control.traction_parameters import TARGET_START, PeakSeekingParameters
 from railgrip.control.traction_state import (
     DOUBT_OF_SLOPE,
-    FORCE,
     LOOKING,
-    MASS,
     SHARE,
     TARGET,
     own_base,
@@ -62,13 +55,7 @@ def hold_at_peak(
     parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
     axle: int, dt: float,
 ) -> float:  # fmt: skip
-    """Return the share of the demanded motor force that is permitted, 0..1.
-
-    Notes
-    -----
-    F* = F + m_r (a_train + k (w_target − w)), with the observed force F of the rail: the wheel
-    then nears its target slip speed with the time constant 1/k.
-    """
+    """Return the share of the demanded motor force that is permitted, 0..1; see `lead_slip`."""
     n_axles = measured.shape[0]
     own = own_base(n_axles, axle)
     train = train_base(n_axles)
@@ -76,13 +63,8 @@ def hold_at_peak(
     is_free = state[train + LOOKING] == axle + 1.0
     is_held = state[own + SHARE] < 0.999 and slip > HELD_SHARE * state[own + TARGET]
     seek_peak(parameters, state, own, train, slip, is_held and not is_free, dt)
-    demand = demanded_force(axle_setup, state, measured, axle)
-    if demand <= 0.0 or state[axle_base(axle) + SPEED] < STANDING:
-        return 1.0
-    error = slip_aimed_at(parameters, state, own, train, axle) - slip
-    wanted = parameters[SLIP_GAIN] * error - state[DECELERATION]
-    force = state[own + FORCE] + state[own + MASS] * wanted
-    return float(max(0.0, min(1.0, force / demand)))
+    aim = slip_aimed_at(parameters, state, own, train, axle)
+    return lead_slip(parameters, axle_setup, state, measured, axle, aim)
 
 
 def peak_seeking_kernel(
@@ -103,7 +85,7 @@ def peak_seeking_kernel(
         if acts_on(axle_setup, state, axle):
             share = hold_at_peak(parameters, axle_setup, state, measured, axle, dt)
         command_motor(parameters, state, measured, command, axle, share, dt)
-    sand_together(command, measured.shape[0])
+    agree(axle_setup, state, command, measured.shape[0])
 
 
 class PeakSeekingTraction(KernelController):
@@ -133,17 +115,18 @@ class PeakSeekingTraction(KernelController):
 
     def __init__(self, parameters: Any = None, *, period: float = 0.01) -> None:
         parameters = PeakSeekingParameters() if parameters is None else parameters
-        _check(parameters)
+        check_search(parameters)
         super().__init__(parameters, period)
 
 
 _POSITIVE = (
-    "target_start", "target_least", "target_greatest", "slip_gain", "dither_time", "mean_time",
-    "observer_lag", "force_error", "search_rate", "search_slope", "speed_noise", "force_drift",
+    "target_start", "target_least", "target_greatest", "slip_gain", "dither_time",
+    "search_mean_time", "observer_lag", "force_error", "search_rate", "search_slope",
+    "speed_noise", "force_drift",
 )  # fmt: skip
 
 
-def _check(parameters: Any) -> None:
+def check_search(parameters: Any) -> None:
     """Refuse what no vehicle can mean."""
     wrong = [
         Problem(name, "must be positive", got=f"{getattr(parameters, name):g}")

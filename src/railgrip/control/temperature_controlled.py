@@ -161,11 +161,11 @@ class TemperatureControlled(KernelController):
         self, parameters: TemperatureParameters | None = None, *, period: float = 0.01
     ) -> None:
         parameters = TemperatureParameters() if parameters is None else parameters
-        _check(parameters, period)
+        check_temperature(parameters, period)
         super().__init__(parameters, period)
 
 
-def _check(parameters: TemperatureParameters, period: float) -> None:
+def check_temperature(parameters: TemperatureParameters, period: float) -> None:
     """Refuse what no vehicle can mean."""
     times = [parameters[COURSE + 2 * i] for i in range(3)]
     span = parameters.observer_window / period

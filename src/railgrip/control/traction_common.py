@@ -1,4 +1,4 @@
-"""What both traction controllers share: observe, know the train's speed, brake as the ordinary WSP.
+"""What the traction controllers share: observe, know the train's speed, brake as the ordinary WSP.
 
 They act on motored axles only while the motors are asked and the brake is not. Otherwise the
 ordinary protection works, unchanged.
@@ -37,13 +37,21 @@ from railgrip.control.conventional_parameters import (
     SLIP_SPEED_UPPER_FLOOR,
     SLIP_UPPER,
 )
-from railgrip.control.conventional_state import IS_FAULTY, REFERENCE, SLIDES, SPEED, axle_base
+from railgrip.control.conventional_state import (
+    DECELERATION,
+    IS_FAULTY,
+    REFERENCE,
+    SLIDES,
+    SPEED,
+    axle_base,
+)
 from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.diameter_compensation import learn_diameters
+from railgrip.control.driven_faults import drive_as_neighbours, watch_driven_sensors
 from railgrip.control.driving_sights import know_train_speed
 from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, threshold
-from railgrip.control.traction_parameters import FORCE_DRIFT, SPEED_NOISE
+from railgrip.control.traction_parameters import FORCE_DRIFT, SLIP_GAIN, SPEED_NOISE
 from railgrip.control.traction_state import (
     APPLIED_BEFORE,
     BELIEVED_SPEED,
@@ -98,6 +106,7 @@ def observe_while_driving(
     """Update wheels, forces of the rails, and reference speed in the state."""
     n_axles = measured.shape[0]
     look_at_wheels(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
+    watch_driven_sensors(parameters, axle_setup, state, measured, dt)
     for axle in range(n_axles):
         _observe_force(parameters, axle_setup, state, measured, axle, dt)
     know_train_speed(parameters, axle_setup, state, measured, dt)
@@ -138,6 +147,28 @@ def demanded_force(
     effort = motor_force(axle_setup, axle, speed, TRACTIVE_EFFORT, LEAST_SPEED)
     demand: float = effort * measured[axle, DRIVE_DEMAND]
     return demand
+
+
+def lead_slip(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
+    axle: int, aim: float,
+) -> float:  # fmt: skip
+    """Return the share of the demanded motor force that leads the slip speed to an aim, 0..1.
+
+    Notes
+    -----
+    F* = F + m_r (a_train + k (w_aim − w)), with the observed force F of the rail: the wheel then
+    nears the slip speed aimed at with the time constant 1/k.
+    """
+    own = own_base(measured.shape[0], axle)
+    speed = state[axle_base(axle) + SPEED]
+    demand = demanded_force(axle_setup, state, measured, axle)
+    if demand <= 0.0 or speed < STANDING:
+        return 1.0
+    error = aim - (speed - state[REFERENCE])
+    wanted = parameters[SLIP_GAIN] * error - state[DECELERATION]
+    force = state[own + FORCE] + state[own + MASS] * wanted
+    return float(max(0.0, min(1.0, force / demand)))
 
 
 def command_motor(
@@ -190,8 +221,12 @@ def acts_on(axle_setup: FloatArray, state: FloatArray, axle: int) -> bool:
     return bool(axle_setup[axle, MOTORED] > 0.0 and is_sound)
 
 
-def sand_together(command: FloatArray, n_axles: int) -> None:
-    """Let every sander work while one driven axle wants sand: wheels without a motor never spin."""
+def agree(axle_setup: FloatArray, state: FloatArray, command: FloatArray, n_axles: int) -> None:
+    """Let motors of wheels that are not believed follow the others, and every sander work at once.
+
+    Wheels without a motor never spin, so all sanders work while one driven axle wants sand.
+    """
+    drive_as_neighbours(axle_setup, state, command, n_axles)
     is_wanted = 0.0
     for axle in range(n_axles):
         is_wanted = max(is_wanted, command[axle, SANDING])

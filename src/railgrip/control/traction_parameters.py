@@ -7,12 +7,15 @@ from __future__ import annotations
 
 from typing import Any, Final, NamedTuple
 
+from railgrip.control.adaptive_parameters import FORCES, Supervision
+from railgrip.control.contract import MACRO
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.parameter_sets import joined
+from railgrip.control.slip_ranges import N_RANGED
 
 
 class Driving(NamedTuple):
-    """What both traction controllers need to know of wheels and train while driving, SI.
+    """What the traction controllers need to know of wheels and train while driving, SI.
 
     Parameters
     ----------
@@ -80,7 +83,7 @@ class PeakSearch(NamedTuple):
         Wheel acceleration asked for each m/s of slip speed off the target, [1/s].
     dither, dither_time : float
         How far the target is moved to and fro, as share of it, and the period, [s].
-    mean_time : float
+    search_mean_time : float
         Time constant of the means of slip and force, [s].
     observer_lag : float
         Lag of the observed force, which the slip is made to have too, [s].
@@ -94,6 +97,9 @@ class PeakSearch(NamedTuple):
         Slope at which that is reached.
     search_margin : float
         Slope aimed at: above 0 the target stays a little before the peak.
+    speed_forward : float
+        How far the target moves with the train's speed: 1, a peak at a creepage; 0, a peak at a
+        slip speed.
 
     Examples
     --------
@@ -109,13 +115,27 @@ class PeakSearch(NamedTuple):
     slip_gain: float = 4.0
     dither: float = 0.3
     dither_time: float = 1.6
-    mean_time: float = 1.5
+    search_mean_time: float = 1.5
     observer_lag: float = 0.06
     force_error: float = 0.04
     slope_drift: float = 0.1
     search_rate: float = 1.0
     search_slope: float = 0.1
     search_margin: float = 0.02
+    speed_forward: float = 0.0
+
+
+class DeepSlip(NamedTuple):
+    """Slip that axles in macro-slip are led to, SI; those in micro-slip seek the peak.
+
+    Parameters
+    ----------
+    macro_slip, macro_slip_floor : float
+        Slip speed as share of the reference speed, and its least value, [m/s].
+    """
+
+    macro_slip: float = 0.2
+    macro_slip_floor: float = 2.0
 
 
 ConventionalTractionParameters: Any = joined(
@@ -127,8 +147,17 @@ PeakSeekingParameters: Any = joined(
     "PeakSeekingParameters", ConventionalParameters, Driving, PeakSearch
 )
 
+AdaptiveTractionParameters: Any = joined(
+    "AdaptiveTractionParameters", ConventionalParameters, Driving, PeakSearch, DeepSlip,
+    Supervision,
+    rule=FORCES, start=MACRO, lead_axles=0.0, k_system=0.95, k_axle=1.0, mean_time=0.8,
+    restart_after=1.0, decide_distance=4.0, test_distance=2.0, test_pause=8.0, least_axles=2.0,
+)  # fmt: skip
+"""Those of the peak seeker come first, the supervisor's last."""
+
 _easing = ConventionalTractionParameters._fields.index
 _search = PeakSeekingParameters._fields.index
+_deep = AdaptiveTractionParameters._fields.index
 
 SPEED_NOISE: Final = _easing("speed_noise")
 FORCE_DRIFT: Final = _easing("force_drift")
@@ -153,10 +182,16 @@ TARGET_GREATEST_SHARE: Final = _search("target_greatest_share")
 SLIP_GAIN: Final = _search("slip_gain")
 DITHER: Final = _search("dither")
 DITHER_TIME: Final = _search("dither_time")
-MEAN_TIME: Final = _search("mean_time")
+SEARCH_MEAN_TIME: Final = _search("search_mean_time")
 OBSERVER_LAG: Final = _search("observer_lag")
 FORCE_ERROR: Final = _search("force_error")
 SLOPE_DRIFT: Final = _search("slope_drift")
 SEARCH_RATE: Final = _search("search_rate")
 SEARCH_SLOPE: Final = _search("search_slope")
 SEARCH_MARGIN: Final = _search("search_margin")
+SPEED_FORWARD: Final = _search("speed_forward")
+
+MACRO_SLIP: Final = _deep("macro_slip")
+MACRO_SLIP_FLOOR: Final = _deep("macro_slip_floor")
+SUPERVISION: Final = _deep("supervise_every") - N_RANGED
+"""Seen from here on, the parameters of `Supervision` stand where `adaptive_parameters` has them."""

@@ -1,5 +1,6 @@
-"""What traction anti-slip remembers: behind the ordinary protection's state, its own.
+"""What traction anti-slip remembers: behind the adaptive protection's state, its own.
 
+The adaptive protection's begins with the ordinary protection's; one controller only uses all of it.
 First the values of the train, then one block an axle: ``state[own_base(n_axles, axle) + FORCE]``.
 """
 
@@ -7,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from railgrip.control import conventional_state
+from railgrip.control.adaptive_state import adaptive_state_size
 
 # The train.
 OFFSET: Final = 0  # acceleration that the forces do not explain: gradient, resistance, m/s²
@@ -40,7 +41,8 @@ MEAN_SLIP: Final = 12  # means against which their ups and downs are taken
 MEAN_FORCE: Final = 13
 SLOPE: Final = 14  # (dF/F)/(dw/w), of the adhesion curve at the target
 DOUBT_OF_SLOPE: Final = 15  # its variance
-N_OWN: Final = 16
+STRANGE_CLOCK: Final = 16  # how long the sensor has read what no pulling wheel shows, s
+N_OWN: Final = 17
 
 
 def train_base(n_axles: int) -> int:
@@ -48,10 +50,10 @@ def train_base(n_axles: int) -> int:
 
     Examples
     --------
-    >>> train_base(2)
-    56
+    >>> train_base(2) == adaptive_state_size(2)
+    True
     """
-    return conventional_state.N_TRAIN + n_axles * conventional_state.N_AXLE
+    return adaptive_state_size(n_axles)
 
 
 def own_base(n_axles: int, axle: int) -> int:
@@ -59,8 +61,8 @@ def own_base(n_axles: int, axle: int) -> int:
 
     Examples
     --------
-    >>> own_base(2, 0)
-    67
+    >>> own_base(2, 1) - own_base(2, 0)
+    17
     """
     return train_base(n_axles) + N_TRAIN + axle * N_OWN
 
@@ -70,7 +72,7 @@ def state_size(n_axles: int) -> int:
 
     Examples
     --------
-    >>> state_size(1)
-    61
+    >>> state_size(1) - train_base(1)
+    28
     """
     return own_base(n_axles, n_axles)

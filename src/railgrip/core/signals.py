@@ -63,6 +63,20 @@ _CATALOGUE = (
     Signal("wheel_speed", "w", "m/s", _AXLE, "True peripheral speed of the wheel at the tread."),
     Signal("measured_speed", "w_m", "m/s", _AXLE, "Wheel speed as the controller measures it."),
     Signal(
+        "unit_reference_speed",
+        "v_ref",
+        "m/s",
+        _AXLE,
+        "Train speed as the axle's own unit believes it, where there are several.",
+    ),
+    Signal(
+        "unit_state",
+        "",
+        "1",
+        _AXLE,
+        "Number of the state that the axle's own unit is in, where there are several.",
+    ),
+    Signal(
         "creepage",
         "s",
         "1",
@@ -112,6 +126,14 @@ _CATALOGUE = (
         "Friction of pads or blocks that brake control reckons with.",
     ),
     Signal("brake_force", "F_B", "N", _AXLE, "Friction brake force acting at the tread."),
+    Signal("motor_speed", "w_m", "m/s", _AXLE, "Speed of the motor, referred to the tread."),
+    Signal(
+        "driveline_torque",
+        "M_s",
+        "N m",
+        _AXLE,
+        "Torque of the shaft on the wheelset, driving positive.",
+    ),
     Signal(
         "dynamic_force",
         "F_D",
@@ -236,6 +258,7 @@ _CATALOGUE = (
     Signal("energy_brake", "E_b", "J", _RUN, "Work of the friction brakes."),
     Signal("energy_dynamic", "E_d", "J", _RUN, "Work of the dynamic brake."),
     Signal("energy_traction", "E_t", "J", _RUN, "Work of the motors that drive."),
+    Signal("energy_driveline", "E_s", "J", _RUN, "Work that shafts stored and their dampers took."),
     Signal("energy_track_brake", "E_m", "J", _RUN, "Work of the magnetic track brakes."),
     Signal("energy_resistance", "E_r", "J", _RUN, "Work of running and curve resistance."),
     Signal("energy_gradient", "E_g", "J", _RUN, "Work against gravity, uphill positive."),

@@ -79,7 +79,10 @@ def dynamic_pass(lanes: Any, S: Any, b: int, h: float) -> None:
         highest = force + (CUT_OFF * driving if force < 0.0 else braking)
         after = max(lowest, min(highest, wanted))
         S[b + at.DYNAMIC_FORCE * L + k] = after
-        S[b + at.DYNAMIC_ACTING * L + k] = 0.5 * (force + after)
+        acting = 0.5 * (force + after)
+        S[b + at.DYNAMIC_ACTING * L + k] = acting
+        S[b + at.TURNING_FORCE * L + k] = acting
+        S[b + at.WHOLE_TURNING_FORCE * L + k] = acting
 
 
 @inlined

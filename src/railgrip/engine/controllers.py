@@ -13,20 +13,22 @@ from railgrip.core import registry
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.engine.plan import FloatArray
 from railgrip.engine.plug_ins import CONTROLLER_INITIAL, CONTROLLER_KERNEL, first_class
-from railgrip.scenario.run import Wsp
+from railgrip.scenario.wsp import Wsp, WspUnit
 
 WHERE = "wsp.controller"
 
 
-def find_controller(wsp: Wsp, step: float) -> Any:
+def find_controller(wsp: Wsp | WspUnit, step: float, where: str = "wsp") -> Any:
     """Return an instance of the controller that a scenario names, with its parameters.
 
     Parameters
     ----------
-    wsp : Wsp
+    wsp : Wsp or WspUnit
         What the scenario says of it.
     step : float
         Of the run [s]; no protection follows it.
+    where : str
+        Key path of it, for messages.
 
     Raises
     ------
@@ -38,11 +40,11 @@ def find_controller(wsp: Wsp, step: float) -> Any:
     if wsp.controller.endswith(".py"):
         kind: Any = load_controller_class(wsp.controller)
     else:
-        kind = registry.resolve("railgrip.controllers", wsp.controller, WHERE)
-    return configured(kind, wsp.parameters)
+        kind = registry.resolve("railgrip.controllers", wsp.controller, f"{where}.controller")
+    return configured(kind, wsp.parameters, where)
 
 
-def configured(kind: Any, given: dict[str, float]) -> Any:
+def configured(kind: Any, given: dict[str, float], where: str = "wsp") -> Any:
     """Return an instance of a controller class with some of its parameters set."""
     try:
         default = kind()
@@ -61,7 +63,7 @@ def configured(kind: Any, given: dict[str, float]) -> Any:
         return default
     fields = getattr(getattr(default, "parameters", None), "_fields", ())
     wrong = [
-        unknown_name(f"wsp.parameters.{name}", "parameter", name, fields)
+        unknown_name(f"{where}.parameters.{name}", "parameter", name, fields)
         for name in given
         if name not in fields
     ]
@@ -118,11 +120,6 @@ def compiled(controller: Any, n_axles: int) -> Compiled:
 def no_kernel() -> Compiled:
     """Return what stands in for a controller that is stepped from Python."""
     return compiled(NoProtection(), 1)
-
-
-def is_compiled(controller: Any) -> bool:
-    """Return whether the controller has a compiled form."""
-    return hasattr(controller, "kernel")
 
 
 def plain_step(controller: Any, state: Any, measured: FloatArray, dt: float) -> FloatArray:

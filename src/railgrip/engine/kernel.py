@@ -18,6 +18,7 @@ from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
 from railgrip.engine import offsets as to
 from railgrip.engine.brake_control_tick import control_brakes
+from railgrip.engine.driver import act_as_driver
 from railgrip.engine.faults import break_sensors, break_valves, seize_axles
 from railgrip.engine.offsets import width
 from railgrip.engine.rail import enter_cells, heat_rail, lay_sand, line_forces
@@ -146,12 +147,15 @@ def drive(L: int, S: Any, memory: Any, plan: Any) -> None:
             continue
         tick = int(S[at.TICK * L + k])
         demand, emergency = driver_demand(tick, times, levels, emergencies)
-        S[at.DRIVER_DEMAND * L + k] = demand
+        if plan.driver.every > 0:
+            act_as_driver(L, S, memory, plan.driver, n_axles, timing.tick, k)
+        else:
+            S[at.DRIVER_DEMAND * L + k] = demand
+            S[at.DRIVE_DEMAND * L + k] = drive_demand(tick, timing.drive_tick, timing.drive_level)
         S[at.EMERGENCY * L + k] = emergency
         S[at.TRACK_BRAKE_ON * L + k] = emergency
         allowed = formation.dynamic_in_emergency == 1 or emergency == 0.0
         S[at.DYNAMIC_ALLOWED * L + k] = 1.0 if allowed else 0.0
-        S[at.DRIVE_DEMAND * L + k] = drive_demand(tick, timing.drive_tick, timing.drive_level)
         note_brake_command(L, S, timing, k)
         enter_cells(L, S, energy, factor, sand, way, n_axles, 0.5 * timing.tick, k)
         if way.is_level == 0:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 
 import numpy as np
@@ -15,11 +16,15 @@ from railgrip.core.formulas.patch import hertz_1882
 from railgrip.core.formulas.piecewise_linear import hinges_from_points
 from railgrip.engine import layout as at
 from railgrip.engine.plan import FloatArray
+from railgrip.scenario.bogie import Axle
 from railgrip.scenario.brakes import FrictionBrake
 from railgrip.scenario.friction import ConstantPad, KarwatzkiPad, Pad, PiecewisePad
 from railgrip.scenario.scenario import Scenario
 from railgrip.train.load_transfer import load_transfer
 
+STEPS_PER_SWING = 10
+"""Steps in one swing of motor against wheelset: with fewer the integration damps it by more than
+1 % of critical (it would be stable down to 1.2)."""
 RAIL_HEAD_RADIUS = 0.3
 """Transverse radius of the rail head 60E1 at its crown, m."""
 YOUNG = 210e9
@@ -191,6 +196,7 @@ def _axle_values(scenario: Scenario, i: int) -> tuple[dict[str, float], FloatArr
     values |= _brake_values(brake, axle.wheel_radius, factor)
     values |= _dynamic_values(scenario, axle.motor)
     values |= _traction_values(scenario, axle.motor)
+    values |= _driveline_values(scenario, axle)
     values |= _valve_values(scenario, brake)
     if scenario.brake_control is not None:
         values["PRESSURE_LIMIT"] = values["FULL_PRESSURE"] * scenario.brake_control.pressure_reserve
@@ -348,6 +354,41 @@ def _traction_values(scenario: Scenario, is_motored: bool) -> dict[str, float]:
         "TRACTION_MAX": force,
         "TRACTION_POWER": traction.power / n_motors,
         "TRACTION_RATE": force / traction.build_up,
+    }
+
+
+def _driveline_values(scenario: Scenario, axle: Axle) -> dict[str, float]:
+    traction = scenario.train.traction if axle.motor else None
+    if traction is None or traction.driveline is None:
+        return {"MOTOR_MASS": 0.0, "SHAFT_STIFFNESS": 0.0, "SHAFT_DAMPING": 0.0}
+    shaft, squared = traction.driveline, axle.wheel_radius**2
+    mass = axle.rotating_mass * shaft.motor_share
+    critical = 2.0 * math.sqrt(shaft.stiffness * squared * mass)
+    if shaft.damping >= critical:
+        raise RailgripError(
+            Problem(
+                "train.traction.driveline.damping",
+                "must leave the motor swinging on its shaft",
+                got=f"{shaft.damping:g} N·m·s/rad",
+                allowed=f"below {critical:.0f} N·m·s/rad",
+            )
+        )
+    wheelset = axle.rotating_mass - mass
+    frequency = math.sqrt(shaft.stiffness / squared * (1.0 / mass + 1.0 / wheelset)) / math.tau
+    longest = 1.0 / (STEPS_PER_SWING * frequency)
+    if scenario.run.step > longest:
+        raise RailgripError(
+            Problem(
+                "run.step",
+                f"is too long for the driveline, which swings with {frequency:.1f} Hz",
+                got=f"{scenario.run.step:g} s",
+                allowed=f"up to {longest:.4f} s",
+            )
+        )
+    return {
+        "MOTOR_MASS": mass,
+        "SHAFT_STIFFNESS": shaft.stiffness / squared,
+        "SHAFT_DAMPING": shaft.damping / squared,
     }
 
 

@@ -174,6 +174,35 @@ class BrakeControlPlan(NamedTuple):
     setup: FloatArray
 
 
+class DriverPlan(NamedTuple):
+    """The automatic driver of a trip; see `engine.driver`.
+
+    Attributes
+    ----------
+    every : int
+        Ticks between two decisions; 0: the driver follows the demands over time.
+    late : int array (axle)
+        Ticks after which a brake demand reaches each axle.
+    bounds, squares, falls : float arrays
+        Highest square of speed along the leg, as `engine.journey.profile.ceiling` gives it.
+    numbers : float array
+        Of train and driver, by the places in `engine.driver`.
+    law : float array
+        Parameters of `engine.journey.coasting.coasting_demand`.
+    """
+
+    every: int
+    late: IntArray
+    bounds: FloatArray
+    squares: FloatArray
+    falls: FloatArray
+    numbers: FloatArray
+    law: FloatArray
+
+
+NO_DRIVER = DriverPlan(0, np.zeros(0, dtype=np.int64), *(np.zeros(0) for _ in range(5)))
+
+
 class Plan(NamedTuple):
     """All of it, for the kernel."""
 
@@ -189,6 +218,7 @@ class Plan(NamedTuple):
     controller_parameters: FloatArray
     monitor_parameters: FloatArray
     brake_control: BrakeControlPlan
+    driver: DriverPlan = NO_DRIVER
 
 
 class Overrides(NamedTuple):
@@ -225,6 +255,8 @@ class Memory(NamedTuple):
     brake_state: FloatArray
     brake_measured: FloatArray
     brake_command: FloatArray
+    driver_state: FloatArray
+    demand_history: FloatArray
 
 
 class Outcome(NamedTuple):

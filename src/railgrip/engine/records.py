@@ -8,6 +8,7 @@ from railgrip.compiler import compiled
 from railgrip.control import contract as ctl
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
+from railgrip.engine.driveline import shaft_torque
 from railgrip.engine.sensing import drive_demand, driver_demand
 
 STOPPED = int(RunStatus.STOPPED)
@@ -18,7 +19,7 @@ TRAIN_OUTCOMES = (
     "slide_activity", "energy_kinetic_initial", "energy_kinetic_final", "energy_contact",
     "energy_brake", "energy_dynamic", "energy_track_brake", "energy_resistance",
     "energy_gradient", "energy_rail", "air_used", "energy_traction", "covered_distance",
-    "final_speed", "correction_effort", "end_position", "end_time",
+    "final_speed", "correction_effort", "energy_driveline", "end_position", "end_time",
 )  # fmt: skip
 """Columns of Outcome.train."""
 AXLE_OUTCOMES = (
@@ -39,17 +40,22 @@ AXLE_TRACES = (
     "brake_cylinder_pressure", "supply_pressure", "dump_valve", "clamp_force", "pad_friction",
     "brake_force", "dynamic_force", "disc_temperature", "hub_temperature", "is_sliding", "alarm",
     "flash_temperature", "slip_range", "wsp_alarm", "estimated_friction",
+    "unit_reference_speed", "unit_state",
+    "motor_speed", "driveline_torque",
 )  # fmt: skip
 """Columns of Outcome.trace_axle."""
 
 
 @compiled
 def kinetic_energy(L: int, S: Any, n_axles: int, k: int) -> float:
-    """Return the kinetic energy of train and wheels."""
+    """Return the kinetic energy of train, wheels and motors."""
     energy = 0.5 * S[at.TRAIN_MASS * L + k] * S[at.TRAIN_SPEED * L + k] ** 2
     for axle in range(n_axles):
         b = (1 + axle) * at.N_VARS * L + k
-        energy += 0.5 * S[b + at.ROTATING_MASS * L] * S[b + at.WHEEL_SPEED * L] ** 2
+        motor = S[b + at.MOTOR_MASS * L]
+        wheelset = S[b + at.ROTATING_MASS * L] - motor
+        energy += 0.5 * wheelset * S[b + at.WHEEL_SPEED * L] ** 2
+        energy += 0.5 * motor * S[b + at.MOTOR_SPEED * L] ** 2
     return float(energy)
 
 
@@ -74,6 +80,8 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
     )
     train[5] = S[at.TRACK_BRAKE_FORCE * L + k]
     train[6] = drive_demand(tick, timing.drive_tick, timing.drive_level)
+    if plan.driver.every > 0:
+        train[4], train[6] = S[at.DRIVER_DEMAND * L + k], S[at.DRIVE_DEMAND * L + k]
     train[7] = memory.command[k, 0, ctl.WSP_STATE]
     train[8] = S[at.BRAKE_CORRECTION * L + k]
     for axle in range(n_axles):
@@ -112,6 +120,10 @@ def _record_axle(L: int, S: Any, command: Any, row: Any, plan: Any, axle: int, k
     row[22] = command[ctl.SLIP_RANGE]
     row[23] = command[ctl.ALARM]
     row[24] = S[b + at.ESTIMATED_FRICTION * L]
+    row[25] = command[ctl.REFERENCE_SPEED]
+    row[26] = command[ctl.WSP_STATE]
+    row[27] = S[b + at.MOTOR_SPEED * L]
+    row[28] = shaft_torque(L, S, b)
 
 
 @compiled
@@ -133,14 +145,15 @@ def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status
     row[18] = S[at.TRAIN_SPEED * L + k]
     watched = S[at.EFFORT_TIME * L + k]
     row[19] = S[at.EFFORT_SUM * L + k] / watched
-    row[20] = S[at.POSITION * L + k]
-    row[21] = S[at.TICK * L + k] * plan.timing.tick
+    row[21] = S[at.POSITION * L + k]
+    row[22] = S[at.TICK * L + k] * plan.timing.tick
     build_up = 0.0
     full = 0.0
     contact = 0.0
     brake = 0.0
     dynamic = 0.0
     traction = 0.0
+    driveline = 0.0
     air = 0.0
     for axle in range(n_axles):
         b = (1 + axle) * at.N_VARS * L + k
@@ -150,6 +163,7 @@ def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status
         brake += S[b + at.BRAKE_ENERGY * L]
         dynamic += S[b + at.DYNAMIC_ENERGY * L]
         traction += S[b + at.TRACTION_ENERGY * L]
+        driveline += S[b + at.DRIVELINE_ENERGY * L]
         air += S[b + at.AIR_USED * L]
         line = out.axle[run, axle]
         line[0] = S[b + at.SLID_DISTANCE * L]
@@ -173,6 +187,7 @@ def finish_run(L: int, S: Any, plan: Any, out: Any, n_axles: int, k: int, status
     row[14] = S[at.RAIL_ENERGY * L + k]
     row[15] = air
     row[16] = traction
+    row[20] = driveline
     if status != STOPPED or S[at.BRAKE_TIME * L + k] < 0.0:
         row[2] = float("nan")
         row[3] = float("nan")

@@ -38,6 +38,12 @@ OF_BRAKE_CONTROL = {
 """What only a train with brake control has to tell."""
 
 
+OF_UNITS = {"unit_reference_speed", "unit_state"}
+"""What only a train with several computers of the protection has to tell."""
+OF_DRIVELINE = {"motor_speed", "driveline_torque", "energy_driveline"}
+"""What only a train whose motors turn their wheels through a shaft has to tell."""
+
+
 def drives(scenario: Scenario) -> bool:
     """Return whether a run is more than a stop: it drives, or goes on for a given time."""
     return bool(scenario.run.drive) or scenario.run.duration is not None
@@ -67,7 +73,8 @@ class Result:
     @property
     def sentence(self) -> str:
         """How the (first) run ended, in words."""
-        return sentence(self.status)
+        raised = self.status == RunStatus.CONTROLLER_FAILED and self.data.attrs.get("failure")
+        return str(raised) if raised else sentence(self.status)
 
     def __getitem__(self, name: str) -> Any:
         return self.data[name]
@@ -93,8 +100,9 @@ class Result:
         out: Outcome,
         rail: Memory | None,
         wsp_parameters: dict[str, float],
+        failures: dict[int, str] | None = None,
     ) -> Result:
-        """Name the kernel's columns."""
+        """Name the kernel's columns; ``failures`` says what controllers raised, by run."""
         import xarray as xr
 
         import railgrip
@@ -117,6 +125,11 @@ class Result:
             )  # fmt: skip
         if not drives(scenario):
             variables = {name: v for name, v in variables.items() if name not in OF_DRIVING}
+        if not scenario.wsp.unit:
+            variables = {name: v for name, v in variables.items() if name not in OF_UNITS}
+        traction = scenario.train.traction
+        if traction is None or traction.driveline is None:
+            variables = {n: v for n, v in variables.items() if n not in OF_DRIVELINE}
         if scenario.brake_control is None:
             variables = {n: v for n, v in variables.items() if n not in OF_BRAKE_CONTROL}
         data = xr.Dataset(
@@ -129,7 +142,8 @@ class Result:
                 "seed": scenario.run.seed,
                 "creep_law": scenario.run.creep_law,
                 "creep_law_error": plan.creep_tables.error,
-                "controller": scenario.wsp.controller,
+                "controller": str(scenario.wsp),
+                "failure": next(iter((failures or {}).values()), ""),
                 "faults": "\n".join(map(str, scenario.fault)),
                 "wsp_parameters": json.dumps(wsp_parameters),
             },
@@ -150,7 +164,7 @@ def _outcomes(scenario: Scenario, out: Outcome) -> Variables:
     with np.errstate(divide="ignore", invalid="ignore"):
         found["mean_deceleration"] = (("run",), speed**2 / (2 * distance))
     taken = sum(table[f"energy_{name}"] for name in (
-        "contact", "brake", "dynamic", "track_brake", "resistance", "gradient",
+        "contact", "brake", "dynamic", "track_brake", "resistance", "gradient", "driveline",
     ))  # fmt: skip
     given = table["energy_kinetic_initial"] + table["energy_traction"]
     residual = given - table["energy_kinetic_final"] - taken
@@ -218,7 +232,9 @@ def _traces(scenario: Scenario, plan: Plan, out: Outcome) -> tuple[Variables, Fl
     # before the first tick no pad has rubbed yet
     if n_rows > 1:
         of_axle["pad_friction"][:, :, 0] = of_axle["pad_friction"][:, :, 1]
-    of_axle["slip_speed"] = of_train["reference_speed"][:, None, :] - of_axle["measured_speed"]
+    believed = of_train["reference_speed"][:, None, :]
+    believed = of_axle["unit_reference_speed"] if scenario.wsp.unit else believed
+    of_axle["slip_speed"] = believed - of_axle["measured_speed"]
     with np.errstate(invalid="ignore", divide="ignore"):
         of_axle["adhesion_used"] = np.abs(of_axle["contact_force"]) / of_axle["wheel_load"]
     of_axle["adhesion_available"] = available_adhesion(scenario, plan, of_axle, speed)

@@ -19,14 +19,13 @@ from railgrip.engine import kernel
 from railgrip.engine import layout as at
 from railgrip.engine.controllers import (
     Compiled,
-    compiled,
-    find_controller,
-    is_compiled,
     no_kernel,
     plain_step,
 )
+from railgrip.engine.driver import DRIVER_STATES
 from railgrip.engine.lower import controller_setup, lower, ring_cells
 from railgrip.engine.lower_train import lower_train
+from railgrip.engine.mixture import Mixture, compiled_form, protection, step_mixture
 from railgrip.engine.plan import FloatArray, Memory, Outcome, Overrides, Plan
 from railgrip.engine.plug_ins import CREEP_LAW, creep_law, first_class
 from railgrip.engine.records import AXLE_OUTCOMES, AXLE_TRACES, TRAIN_OUTCOMES, TRAIN_TRACES
@@ -48,6 +47,9 @@ class Prepared(NamedTuple):
     controller: Any
     compiled: Compiled
     creep_law: Any
+    is_plain: bool
+    failures: dict[int, str]
+    """Run → what its controller raised; filled while plain ones run."""
 
 
 def _no_law(
@@ -67,17 +69,14 @@ def prepare(scenario: Scenario, controller: Any = None) -> Prepared:
     controller : controller, optional
         Used in place of the one that the scenario names.
     """
-    controller = (
-        find_controller(scenario.wsp, scenario.run.step) if controller is None else controller
-    )
-    chosen = (
-        compiled(controller, scenario.train.n_axles) if is_compiled(controller) else no_kernel()
-    )
+    controller = protection(scenario) if controller is None else controller
+    form = compiled_form(controller, scenario.train.n_axles)
+    chosen = no_kernel() if form is None else form
     plan = lower(scenario, float(controller.period), chosen.parameters)
     law = first_class(_no_law, CREEP_LAW)
     if plan.creep_law == at.LAW_CUSTOM:
         law = creep_law(registry.resolve("railgrip.laws", scenario.run.creep_law, "run.creep_law"))
-    return Prepared(scenario, plan, controller, chosen, law)
+    return Prepared(scenario, plan, controller, chosen, law, form is None, {})
 
 
 def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
@@ -100,6 +99,8 @@ def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
         brake_state=np.zeros((lanes, brake_state_size(n_axles) if plan.brake_control.every else 0)),
         brake_measured=np.zeros((lanes, n_axles, table.N_MEASURED)),
         brake_command=np.zeros((lanes, n_axles, table.N_COMMAND)),
+        driver_state=np.zeros((lanes, DRIVER_STATES)),
+        demand_history=np.zeros((lanes, 1 + int(plan.driver.late.max(initial=0)))),
     )
 
 
@@ -261,7 +262,7 @@ def run_prepared(
     out, rail = compute(prepared, changes, traced, threads, progress)
     parameters: Any = getattr(prepared.controller, "parameters", None)
     named = dict(parameters._asdict()) if hasattr(parameters, "_asdict") else {}
-    return Result.from_arrays(prepared.scenario, prepared.plan, out, rail, named)
+    return Result.from_arrays(prepared.scenario, prepared.plan, out, rail, named, prepared.failures)
 
 
 def compute(
@@ -273,7 +274,7 @@ def compute(
 ) -> tuple[Outcome, Memory | None]:
     """Return the bare tables of a batch, and the rail of a single run that is traced."""
     out = outcome(prepared, len(changes.number), traced)
-    if is_compiled(prepared.controller):
+    if not prepared.is_plain:
         return out, _run_compiled(prepared, changes, out, threads, traced, progress)
     return out, _run_plain(prepared, changes, out, traced, progress)
 
@@ -319,13 +320,19 @@ def _run_plain(
     every = plan.timing.control_every
     period = every * plan.timing.tick
     setup = controller_setup(prepared.scenario, period)
+    step = step_mixture if isinstance(prepared.controller, Mixture) else plain_step
     for run in range(len(out.train)):
         kernel.begin_single(own, plan, changes, run)
         state = prepared.controller.reset(setup)
         moment = 0
         while kernel.before_control_single(own, plan, out, moment) == RunStatus.RUNNING:
             if moment % every == 0:
-                own.command[0] = plain_step(prepared.controller, state, own.measured[0], period)
+                try:
+                    own.command[0] = step(prepared.controller, state, own.measured[0], period)
+                except RailgripError as error:
+                    # no command at all: the run ends with its status, its way is kept
+                    own.command[0, :, ctl.DUMP_VALVE] = np.nan
+                    prepared.failures[run] = str(error)
             kernel.after_control_single(own, plan, moment, prepared.creep_law)
             moment += 1
         if progress is not None:

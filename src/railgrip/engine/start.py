@@ -8,6 +8,7 @@ from typing import Any
 from railgrip.compiler import compiled
 from railgrip.control import contract as ctl
 from railgrip.engine import layout as at
+from railgrip.engine.driveline import begin_driveline
 from railgrip.engine.rail import enter_cells, field_before, lay_rail
 from railgrip.engine.records import kinetic_energy
 from railgrip.engine.sensing import note_brake_command
@@ -40,6 +41,8 @@ def begin_run(L: int, S: Any, memory: Any, plan: Any, overrides: Any, k: int, ru
     S[at.KINETIC_START * L + k] = kinetic_energy(L, S, n_axles, k)
     for vehicle in range(plan.formation.vehicle_front.shape[0]):
         memory.reservoirs[vehicle * L + k] = plan.formation.reservoir_pressure[vehicle]
+    if plan.driver.every > 0:
+        S[at.DRIVE_DEMAND * L + k] = 1.0  # it stands, and is about to move
     _begin_control(L, S, memory, n_axles, k)
 
 
@@ -77,6 +80,7 @@ def _begin_axle(L: int, S: Any, plan: Any, k: int, axle: int) -> None:
     speed = S[at.TRAIN_SPEED * L + k]
     believed = speed * S[b + at.BELIEVED_RATIO * L]
     S[b + at.WHEEL_SPEED * L] = speed
+    begin_driveline(L, S, b, speed, plan.timing.tick)
     S[b + at.SPEED_BEFORE * L] = speed
     S[b + at.RING_TEMPERATURE * L] = S[b + at.START_TEMPERATURE * L]
     S[b + at.HUB_TEMPERATURE * L] = S[b + at.START_TEMPERATURE * L]
@@ -106,6 +110,10 @@ def _begin_control(L: int, S: Any, memory: Any, n_axles: int, k: int) -> None:
         memory.monitor_state[k, i] = 0.0
     for i in range(memory.brake_state.shape[1]):
         memory.brake_state[k, i] = 0.0
+    for i in range(memory.driver_state.shape[1]):
+        memory.driver_state[k, i] = 0.0
+    for i in range(memory.demand_history.shape[1]):
+        memory.demand_history[k, i] = 0.0
     for axle in range(n_axles):
         memory.alarm[k, axle] = 0.0
     for axle in range(n_axles):

@@ -30,6 +30,14 @@ from railgrip.contact.rail_friction import RailFriction
 from railgrip.contact.shen_hedrick_elkins_1983 import shen_hedrick_elkins_1983
 from railgrip.engine import layout
 from railgrip.engine import offsets as at
+from railgrip.engine.driveline import (
+    extrapolate_driveline_pass,
+    is_driven,
+    load_half_pass,
+    load_whole_pass,
+    swing_half_pass,
+    swing_whole_pass,
+)
 from railgrip.engine.offsets import width
 from railgrip.laboratory.creep_grid import chord_by_grid
 from railgrip.laboratory.creep_spline import chord_by_table
@@ -182,22 +190,23 @@ def _contact_pass(lanes: Any, S: Any, axle: int, creep_law: int, tables: Any, cu
 
 @inlined
 def _condense(
-    L: int, S: Any, b: int, k: int, per_step: float
+    L: int, S: Any, b: int, k: int, mass: float, acting: float, per_step: float
 ) -> tuple[float, float, float, float, float, float]:
     """Eliminate the wheel: what is left of it is a force and a stiffness against train speed.
+
+    Its mass is over the step; of motor and shaft it holds what turns with the wheel.
 
     Returns these two, then what the wheel needs to be found again: carried force, stiffness of
     the contact, forced momentum rate, and one over inertia and stiffness.
     """
     train_speed = S[b + at.HERE_SPEED * L + k]
     wheel_speed = S[b + at.WHEEL_SPEED * L + k]
-    mass = S[b + at.ROTATING_MASS * L + k] * per_step
     limit = S[b + at.BRAKE_LIMIT * L + k]
     sigma = S[b + at.RELAXATION_LENGTH * L + k] * per_step
     damping = 1.0 / (sigma + S[b + at.ROLLING * L + k])
     carried = sigma * S[b + at.CONTACT_FORCE * L + k] * damping
     stiffness = S[b + at.CHORD * L + k] * damping
-    forced = mass * wheel_speed - S[b + at.DYNAMIC_ACTING * L + k]
+    forced = mass * wheel_speed - acting
     brake = math.copysign(limit, wheel_speed) if wheel_speed != 0.0 else 0.0
     share = 1.0 / (mass + stiffness)
     free = (forced - carried - brake) * share
@@ -215,7 +224,11 @@ def _condense_whole_pass(lanes: Any, S: Any, b: int, h: float) -> None:
     front = b - at.N_VARS * L
     per_step = 1.0 / h
     for k in range(L):
-        force, against, carried, stiffness, forced, share = _condense(L, S, b, k, per_step)
+        mass = S[b + at.WHOLE_TURNED_MASS * L + k] * per_step
+        acting = S[b + at.WHOLE_TURNING_FORCE * L + k]
+        force, against, carried, stiffness, forced, share = _condense(
+            L, S, b, k, mass, acting, per_step
+        )
         S[b + at.WHOLE_FORCE_SO_FAR * L + k] = S[front + at.WHOLE_FORCE_SO_FAR * L + k] + force
         S[b + at.WHOLE_STIFFNESS_SO_FAR * L + k] = (
             S[front + at.WHOLE_STIFFNESS_SO_FAR * L + k] + against
@@ -232,7 +245,11 @@ def _condense_half_pass(lanes: Any, S: Any, b: int, h: float) -> None:
     front = b - at.N_VARS * L
     per_step = 1.0 / h
     for k in range(L):
-        force, against, carried, stiffness, forced, share = _condense(L, S, b, k, per_step)
+        mass = S[b + at.TURNED_MASS * L + k] * per_step
+        acting = S[b + at.TURNING_FORCE * L + k]
+        force, against, carried, stiffness, forced, share = _condense(
+            L, S, b, k, mass, acting, per_step
+        )
         S[b + at.FORCE_SO_FAR * L + k] = S[front + at.FORCE_SO_FAR * L + k] + force
         S[b + at.STIFFNESS_SO_FAR * L + k] = S[front + at.STIFFNESS_SO_FAR * L + k] + against
         S[b + at.CARRIED * L + k] = carried
@@ -270,7 +287,7 @@ def _whole_wheel_pass(lanes: Any, S: Any, b: int, h: float) -> None:
         train_speed = S[front + at.WHOLE_PREDICTED * L + k]
         S[b + at.WHOLE_PREDICTED * L + k] = train_speed
         speed, contact, brake_impulse = _wheel(
-            S[b + at.ROTATING_MASS * L + k] * per_step,
+            S[b + at.WHOLE_TURNED_MASS * L + k] * per_step,
             S[b + at.FRICTION_LIMIT * L + k],
             S[b + at.BRAKE_LIMIT * L + k],
             train_speed,
@@ -297,7 +314,7 @@ def _half_wheel_pass(lanes: Any, S: Any, b: int, h: float) -> None:
         train_speed = S[front + at.HERE_PREDICTED * L + k]
         S[b + at.HERE_PREDICTED * L + k] = train_speed
         speed, contact, brake_impulse = _wheel(
-            S[b + at.ROTATING_MASS * L + k] * per_step,
+            S[b + at.TURNED_MASS * L + k] * per_step,
             S[b + at.FRICTION_LIMIT * L + k],
             S[b + at.BRAKE_LIMIT * L + k],
             train_speed,
@@ -426,6 +443,9 @@ def _whole_and_first_half(
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * block
         _contact_pass(lanes, S, axle, creep_law, tables, custom)
+        if is_driven(lanes, S, b):
+            load_whole_pass(lanes, S, b, h)
+            load_half_pass(lanes, S, b, 0.5 * h)
         _condense_whole_pass(lanes, S, b, h)
         _condense_half_pass(lanes, S, b, 0.5 * h)
     _predict_whole_pass(lanes, S, last, h)
@@ -434,6 +454,9 @@ def _whole_and_first_half(
         b = (axle + at.AXLE_BLOCK) * block
         _whole_wheel_pass(lanes, S, b, h)
         _half_wheel_pass(lanes, S, b, 0.5 * h)
+        if is_driven(lanes, S, b):
+            swing_whole_pass(lanes, S, b)
+            swing_half_pass(lanes, S, b)
     _whole_train_pass(lanes, S, last, h)
     _half_train_pass(lanes, S, last, 0.5 * h)
 
@@ -449,11 +472,16 @@ def _second_half(
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * block
         _contact_pass(lanes, S, axle, creep_law, tables, custom)
+        if is_driven(lanes, S, b):
+            load_half_pass(lanes, S, b, 0.5 * h)
         _condense_half_pass(lanes, S, b, 0.5 * h)
     _predict_half_pass(lanes, S, last, 0.5 * h)
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * block
         _half_wheel_pass(lanes, S, b, 0.5 * h)
+        if is_driven(lanes, S, b):
+            swing_half_pass(lanes, S, b)
+            extrapolate_driveline_pass(lanes, S, b)
         _extrapolate_pass(lanes, S, b)
     _half_train_pass(lanes, S, last, 0.5 * h)
     _extrapolate_pass(lanes, S, at.TRAIN_BLOCK)

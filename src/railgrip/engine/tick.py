@@ -14,6 +14,7 @@ from railgrip.compiler import inlined
 from railgrip.core.formulas.elementary import power_0_8
 from railgrip.engine import offsets as at
 from railgrip.engine.brake_tick import brake_pass, heat_pass
+from railgrip.engine.driveline import account_driveline_pass, is_driven, remember_motor_pass
 from railgrip.engine.offsets import width
 from railgrip.engine.rail import rail_pass
 
@@ -92,6 +93,8 @@ def _remember(lanes: Any, S: Any, b: int) -> None:
         S[b + at.SPEED_BEFORE * L + k] = S[b + at.WHEEL_SPEED * L + k]
         S[b + at.CONTACT_IMPULSE * L + k] = 0.0
         S[b + at.BRAKE_IMPULSE * L + k] = 0.0
+    if is_driven(lanes, S, b):
+        remember_motor_pass(lanes, S, b)
 
 
 @inlined
@@ -122,6 +125,8 @@ def account(lanes: Any, S: Any, n_axles: int, h: float) -> None:
         S[at.SLOW_SO_FAR * L + k] = 0.0
     for axle in range(n_axles):
         b = (axle + at.AXLE_BLOCK) * at.N_VARS * L
+        if is_driven(lanes, S, b):
+            account_driveline_pass(lanes, S, b, h)
         _account_energy(lanes, S, b, h)
         _account_flash(lanes, S, b, h)
         heat_pass(lanes, S, b, h)
@@ -153,8 +158,9 @@ def _account_energy(lanes: Any, S: Any, b: int, h: float) -> None:
         S[b + at.SLID_ENERGY * L + k] += given
         S[b + at.BRAKE_ENERGY * L + k] += S[b + at.BRAKE_IMPULSE * L + k] * wheel_mean
         motor = h * S[b + at.DYNAMIC_ACTING * L + k]
-        S[b + at.DYNAMIC_ENERGY * L + k] += max(motor, 0.0) * wheel_mean
-        S[b + at.TRACTION_ENERGY * L + k] -= min(motor, 0.0) * wheel_mean
+        motor_mean = wheel_mean + S[b + at.MOTOR_LEAD * L + k]
+        S[b + at.DYNAMIC_ENERGY * L + k] += max(motor, 0.0) * motor_mean
+        S[b + at.TRACTION_ENERGY * L + k] -= min(motor, 0.0) * motor_mean
 
 
 @inlined

@@ -2,20 +2,11 @@
 
 from __future__ import annotations
 
-import base64
-import io
 from collections.abc import Sequence
 from html import escape
 from typing import Any, NamedTuple
 
-STYLE = """
-body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;
-padding:0 1rem;color:#1c1f24}
-table{border-collapse:collapse;margin:1rem 0}th,td{padding:.25rem .8rem;text-align:right;
-border-bottom:1px solid #d5d9df}th:first-child,td:first-child{text-align:left}
-img{max-width:100%;height:auto}pre{overflow:auto;background:#f3f5f7;padding:1rem}
-.note{border-left:4px solid #0b5fa5;padding:.3rem 1rem;background:#f3f5f7}
-"""
+from railgrip.report.static_page import heading, picture, static_page, table
 
 
 class Section(NamedTuple):
@@ -37,16 +28,8 @@ def campaign_html(title: str, lead: str, sections: Sequence[Section]) -> str:
     >>> "<script" in campaign_html("Stops", "1000 runs.", [Section("Runs", "All stopped.")])
     False
     """
-    body = "".join(_section(one) for one in sections)
-    policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
-    return (
-        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
-        f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
-        '<meta name="viewport" content="width=device-width">'
-        f"<title>{escape(title)}</title><style>{STYLE}</style></head><body>"
-        f'<h1>{escape(title)}</h1><p class="note">Simulation, not an approval.</p>'
-        f"<p>{escape(lead)}</p>{body}</body></html>\n"
-    )
+    parts = [heading(title, lead=lead), *(_section(one) for one in sections)]
+    return static_page(title, parts)
 
 
 def _section(one: Section) -> str:
@@ -54,20 +37,11 @@ def _section(one: Section) -> str:
     if one.text:
         parts.append(f"<p>{escape(one.text)}</p>")
     if one.rows:
-        head = "".join(f"<th>{escape(name)}</th>" for name in one.columns)
-        lines = ("".join(f"<td>{escape(cell)}</td>" for cell in row) for row in one.rows)
-        rows = "".join(f"<tr>{line}</tr>" for line in lines)
-        parts.append(f"<table><tr>{head}</tr>{rows}</table>")
+        parts.append(table(one.columns, one.rows))
     if one.figure is not None:
-        parts.append(f'<img alt="{escape(one.title)}" src="{_picture(one.figure)}">')
+        parts.append(picture(one.figure, one.title))
     if one.preformatted:
         parts.append(
             f"<details><summary>show</summary><pre>{escape(one.preformatted)}</pre></details>"
         )
     return "".join(parts)
-
-
-def _picture(figure: Any) -> str:
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=110)
-    return "data:image/png;base64," + base64.b64encode(buffer.getvalue()).decode("ascii")

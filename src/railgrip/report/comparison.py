@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from railgrip.core.errors import RailgripError
@@ -33,6 +34,19 @@ class Comparison:
             texts = [known[name].text if name in known else "" for known in of_run]
             rows.append([metric.label, *texts])
         return rows
+
+    def differences(self, reference: str | None = None) -> list[str]:
+        """Return a sentence for each run on how it differs from one of them, else the first."""
+        from railgrip.report.differences import differences
+
+        figures = {name: metrics(result) for name, result in self.results.items()}
+        return differences(figures, next(iter(figures)) if reference is None else reference)
+
+    def write(self, path: str | Path) -> Path:
+        """Write the page on which each run can be looked at with the others behind it."""
+        from railgrip.report.comparison_page import write_comparison
+
+        return write_comparison(self.results, path)
 
     def __str__(self) -> str:
         rows = self.table()

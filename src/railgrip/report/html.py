@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from html import escape
 from importlib.resources import files
 from pathlib import Path
@@ -20,8 +18,11 @@ from railgrip.report.energy import energy_table
 from railgrip.report.limits import check_limits
 from railgrip.report.metrics import axle_table, metrics, status_sentence
 from railgrip.report.payload import payload
+from railgrip.report.static_page import policy, template
 from railgrip.report.view import View, dataset_of
 
+ONLY_COMPARED = ("found", "force")
+"""Charts that a page about one run has no room for."""
 SCRIPTS = ("data.js", "look.js", "charts.js", "page.js")
 
 CHARTS = {
@@ -30,6 +31,8 @@ CHARTS = {
     "pressure": ("Brake cylinder pressure, bar", "brake_cylinder_pressure"),
     "valve": ("Dump valves", "dump_valve"),
     "adhesion": ("Adhesion used and available, force over wheel load", "adhesion_used"),
+    "found": ("Rail friction that each axle found under its wheels", "rail_friction"),
+    "force": ("Force between wheel and rail, braking positive, kN", "contact_force"),
     "deceleration": ("Deceleration of the train, m/s²", "acceleration"),
     "motor": ("Motor force at the tread, dynamic brake positive, kN", "dynamic_force"),
     "flash": ("Flash temperature: rise in the contact, K", "flash_temperature"),
@@ -92,29 +95,64 @@ def report_html(
     """Return the page about a run as text; see `write_report`."""
     view = View(dataset_of(result), run)
     ghosts = {name: View(dataset_of(other)) for name, other in (ghost or {}).items()}
-    script = '"use strict";\n(() => {\n' + "".join(_template(name) for name in SCRIPTS) + "})();\n"
-    uplot = _vendored("uPlot.iife.min.js")
-    style = _vendored("uPlot.min.css") + _template("page.css")
     figures = metrics(view.dataset, run)
-    return Template(_template("page.html")).substitute(
-        policy=_policy([uplot, script], style),
-        licence=_vendored("LICENSE").strip().replace("--", "- -"),
-        style=style,
-        uplot=uplot,
-        script=script,
-        data=_harmless(json.dumps(payload(view, ghosts, measured), separators=(",", ":"))),
+    drawn = [name for name in CHARTS if name not in ONLY_COMPARED and _drawn(view, name)]
+    return filled(
+        "page.html",
+        payload(view, ghosts, measured),
         title=escape(view.title),
         cards=tables.cards(figures),
         limits=tables.limit_list(check_limits(view.dataset, _limits(view, limits), run)),
         comparison=_comparison(view, ghosts, measured),
-        charts="\n".join(_figure(view, name) for name in CHARTS if _drawn(view, name))
-        or "<p>This run was made without traces.</p>",
+        stage=stage([view], drawn),
         metrics=tables.metric_table(figures),
         energy=tables.energy_rows(energy_table(view.dataset, run)),
         axles=_axles(view),
-        scenario=_scenario(view),
+        scenario=scenario_part(view),
         **_heading(view),
     )
+
+
+def filled(page: str, data: Mapping[str, Any], **parts: str) -> str:
+    """Return a page of the templates with scripts, style, data and its parts in their places."""
+    script = '"use strict";\n(() => {\n' + "".join(template(name) for name in SCRIPTS) + "})();\n"
+    uplot = _vendored("uPlot.iife.min.js")
+    style = _vendored("uPlot.min.css") + template("page.css")
+    return Template(template(page)).substitute(
+        policy=policy([uplot, script], style),
+        licence=_vendored("LICENSE").strip().replace("--", "- -"),
+        style=style,
+        uplot=uplot,
+        script=script,
+        data=_harmless(json.dumps(data, separators=(",", ":"))),
+        **parts,
+    )
+
+
+def stage(views: Sequence[View], drawn: Sequence[str], looked: str = "") -> str:
+    """Return the part of a page that holds the charts and what is chosen for them.
+
+    Parameters
+    ----------
+    views : sequence of View
+        The runs; the first gives the words for those who do not see the charts.
+    drawn : sequence of str
+        Of `CHARTS`.
+    looked : str
+        The choice of the run that is looked at, for a page of several.
+    """
+    charts = "\n".join(_figure(views[0], name) for name in drawn)
+    return Template(template("charts.html")).substitute(
+        charts=charts or "<p>This run was made without traces.</p>",
+        looked=looked,
+        kind=" compared" if looked else "",
+        behind="Behind it" if looked else "Laid over",
+    )
+
+
+def compared_charts(views: Sequence[View]) -> list[str]:
+    """Return the charts that at least one of the runs can fill."""
+    return [name for name in CHARTS if any(_drawn(view, name) for view in views)]
 
 
 def _heading(view: View) -> dict[str, str]:
@@ -126,11 +164,12 @@ def _heading(view: View) -> dict[str, str]:
         "state": "good" if well else "bad",
         "version": escape(str(view.dataset.attrs.get("railgrip_version", "?"))),
         "seed": escape(str(view.dataset.attrs.get("seed", "–"))),
-        "where": "".join(f" · {escape(part)}" for part in _circumstances(view, start)),
+        "where": "".join(f" · {escape(part)}" for part in circumstances(view, start)),
     }
 
 
-def _circumstances(view: View, start: float) -> list[str]:
+def circumstances(view: View, start: float) -> list[str]:
+    """Return what a run was made with, in a few words each."""
     attrs = view.dataset.attrs
     parts = [f"controller {attrs['controller']}"] if "controller" in attrs else []
     parts += [f"creep law {attrs['creep_law']}"] if "creep_law" in attrs else []
@@ -189,7 +228,8 @@ def _axles(view: View) -> str:
     )
 
 
-def _scenario(view: View) -> str:
+def scenario_part(view: View) -> str:
+    """Return the part of a page that holds the scenario, folded."""
     text = str(view.dataset.attrs.get("scenario_text", ""))
     if not text and view.scenario:
         text = json.dumps(view.scenario, indent=2, ensure_ascii=False)
@@ -201,26 +241,9 @@ def _scenario(view: View) -> str:
     )
 
 
-def _policy(scripts: list[str], style: str) -> str:
-    """Return a policy that lets exactly these scripts and this style run, and loads nothing."""
-    hashes = " ".join(f"'sha256-{_sha256(script)}'" for script in scripts)
-    return (
-        f"default-src 'none'; script-src {hashes}; style-src 'sha256-{_sha256(style)}'; "
-        "img-src data:; base-uri 'none'; form-action 'none'"
-    )
-
-
-def _sha256(text: str) -> str:
-    return base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
-
-
 def _harmless(text: str) -> str:
     """Return JSON that cannot end the script element it stands in."""
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
-
-
-def _template(name: str) -> str:
-    return (files("railgrip.report") / "template" / name).read_text(encoding="utf-8")
 
 
 def _vendored(name: str) -> str:

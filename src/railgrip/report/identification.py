@@ -12,7 +12,7 @@ from railgrip.core.errors import Problem
 from railgrip.laboratory.pad_fit import INFLUENCES, Identified, Score
 from railgrip.laboratory.pad_fit.laws import Product
 from railgrip.laboratory.pad_fit.shape import log_curve
-from railgrip.report.html import _policy, _template
+from railgrip.report.static_page import static_page, table
 from railgrip.report.svg import STYLE, Chart, chart_svg
 
 AXES = {
@@ -51,30 +51,29 @@ def identification_html(
     str
         HTML with everything in it.
     """
-    style = _template("page.css") + STYLE
     plots = "".join(
         f"<figure><figcaption>{escape(one.words)}</figcaption>{chart_svg(one)}</figure>"
         for one in charts(found)
     )
     told = "".join(f"<li>{escape(' '.join(str(one).split()))}</li>" for one in problems)
     left = f"<h2>What could not be used or found</h2><ul>{told}</ul>" if told else ""
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        f'<meta http-equiv="Content-Security-Policy" content="{_policy([], style)}">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta name="color-scheme" content="light dark">\n<link rel="icon" href="data:,">\n'
-        f"<title>{escape(title)}</title>\n<style>{style}</style>\n</head>\n<body>\n<header>\n"
-        f"<h1>{escape(title)}</h1>\n"
-        f'<p class="status good">f0 = {found.reference_friction:.4f} from {len(labels)} stops</p>\n'
-        f'<p class="small">{escape(source)} · railgrip {railgrip.__version__}</p>\n</header>\n'
-        f"<main>\n{left}\n<h2>Functions and residuals</h2>\n"
+    body = [
+        f"<h1>{escape(title)}</h1>",
+        f'<p class="status good">f0 = {found.reference_friction:.4f} from {len(labels)} stops</p>',
+        f'<p class="small">{escape(source)} · railgrip {railgrip.__version__}</p>',
+        left,
+        "<h2>Functions and residuals</h2>",
         '<p class="small">Dots: means of what was measured, the other functions and the offset of '
         "each stop taken out. Line and band: the function and its 95 % interval, clustered by "
-        f'stop; circles: its points.</p>\n<div class="plots">{plots}</div>\n'
-        f"<h2>Numbers</h2>\n{_numbers(found)}\n{_laws(scores)}\n</main>\n"
+        "stop; circles: its points.</p>",
+        f'<div class="plots">{plots}</div>',
+        "<h2>Numbers</h2>",
+        _numbers(found),
+        _laws(scores),
         '<footer><p class="small">The intervals hold for this pad, this programme and these '
-        "sensors.</p></footer>\n</body>\n</html>\n"
-    )
+        "sensors.</p></footer>",
+    ]
+    return static_page(title, body, STYLE)
 
 
 def charts(found: Identified) -> list[Chart]:
@@ -136,36 +135,36 @@ def _function(name: str, found: Identified, inner: np.ndarray) -> Chart:
 
 
 def _numbers(found: Identified) -> str:
-    rows = []
-    for one in found.parameters:
-        interval = "fixed" if one.is_fixed else f"{one.low:.5g} to {one.high:.5g}"
-        rows.append(f'<tr><th scope="row">{escape(one.name)}</th><td>{one.value:.5g}</td>'
-                    f"<td>{interval}</td><td>{escape(one.unit)}</td></tr>")  # fmt: skip
+    rows = [
+        [
+            one.name,
+            f"{one.value:.5g}",
+            "fixed" if one.is_fixed else f"{one.low:.5g} to {one.high:.5g}",
+            one.unit,
+        ]
+        for one in found.parameters
+    ]
     noise = found.fit.noise
     rest = (
         f'<p class="small">Offset from stop to stop {noise.offset:.1%}; noise within a stop '
         f"{np.hypot(noise.slow, noise.fast):.1%} per block, correlated over {noise.memory:.2g} s."
         "</p>"
     )
-    return (
-        '<div class="scroll"><table><thead><tr><th>Number</th><th>Value</th><th>95 % interval</th>'
-        f"<th>Unit</th></tr></thead><tbody>{''.join(rows)}</tbody></table></div>{rest}"
-    )
+    return table(["Number", "Value", "95 % interval", "Unit"], rows) + rest
 
 
 def _laws(scores: Sequence[Score]) -> str:
     if not scores:
         return ""
-    rows = "".join(
-        f'<tr{" class=worst" if one.is_chosen else ""}><th scope="row">{escape(one.name)}'
-        f"{' (chosen)' if one.is_chosen else ''}</th><td>{one.parameters}</td>"
-        f"<td>{one.error:.2%}</td><td>{one.error_within:.2%}</td>"
-        f"<td>{one.behind:.2f} ± {one.behind_error:.2f}</td></tr>"
+    heads = ["Law", "Numbers", "Error", "Within a stop", "Log-likelihood behind, per stop"]
+    rows = [
+        [
+            one.name + (" (chosen)" if one.is_chosen else ""),
+            str(one.parameters),
+            f"{one.error:.2%}",
+            f"{one.error_within:.2%}",
+            f"{one.behind:.2f} ± {one.behind_error:.2f}",
+        ]
         for one in scores
-    )
-    return (
-        "<h2>Laws on stops that were left out</h2>\n"
-        '<div class="scroll"><table><thead><tr><th>Law</th><th>Numbers</th><th>Error</th>'
-        "<th>Within a stop</th><th>Log-likelihood behind, per stop</th></tr></thead>"
-        f"<tbody>{rows}</tbody></table></div>"
-    )
+    ]
+    return "<h2>Laws on stops that were left out</h2>" + table(heads, rows)

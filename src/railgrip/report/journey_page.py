@@ -2,39 +2,36 @@
 
 from __future__ import annotations
 
-import base64
-import io
-from collections.abc import Mapping, Sequence
-from html import escape
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from railgrip.engine.journey.drive import JourneyRun
+from railgrip.engine.journey.coasting import coasting_curve
 from railgrip.report.plots.journey import draw_speeds, draw_trade_off
+from railgrip.report.static_page import heading, picture, static_page, table
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
 
-_STYLE = """
-body{font:16px/1.5 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#222}
-table{border-collapse:collapse;margin:1rem 0}
-td,th{padding:.25rem .8rem;border-bottom:1px solid #ddd;
-text-align:right}td:first-child,th:first-child{text-align:left}img{max-width:100%}
-"""
+
+WORDS = {
+    "traction": "traction at the wheel", "motor_brake": "braked by the motors",
+    "friction": "braked by friction", "resistance": "running resistance", "grade": "gradient",
+    "auxiliaries": "auxiliaries", "dc_link": "net at the DC link",
+    "pantograph": "net at the pantograph",
+}  # fmt: skip
 
 
-def energy_rows(run: JourneyRun) -> list[tuple[str, str]]:
-    """Return (what, kWh) of a fast journey."""
-    words = {
-        "traction": "traction at the wheel", "motor_brake": "braked by the motors",
-        "friction": "braked by friction", "resistance": "running resistance", "grade": "gradient",
-        "auxiliaries": "auxiliaries", "dc_link": "net at the DC link",
-        "pantograph": "net at the pantograph",
-    }  # fmt: skip
-    return [(words[key], f"{value / 3.6e6:.2f}") for key, value in run.energy.items()]
+def energy_rows(found: Any) -> list[list[str]]:
+    """Return what each way of driving takes, kWh: one row a kind of energy."""
+    return [
+        [word, *(f"{way.energy[key] / 3.6e6:.2f}" if key in way.energy else "–"
+                 for way in found.ways)]
+        for key, word in WORDS.items()
+    ]  # fmt: skip
 
 
 def leg_rows(journey: Journey, times: Mapping[str, Array]) -> list[list[str]]:
@@ -46,64 +43,59 @@ def leg_rows(journey: Journey, times: Mapping[str, Array]) -> list[list[str]]:
     ]
 
 
-def page(
-    run: JourneyRun,
-    runs: Mapping[str, tuple[Array, Array]],
-    summary: Sequence[Sequence[str]],
-    times: Mapping[str, Array],
-    curves: Mapping[str, tuple[Array, Array]],
-) -> str:
-    """Return the page.
-
-    Parameters
-    ----------
-    run : JourneyRun
-        The fast journey.
-    runs : mapping
-        Name → positions and speeds to draw.
-    summary : rows of text
-        The first one is the head.
-    times : mapping
-        Name → running time of each leg, s.
-    curves : mapping
-        Name → times and energies of the trade-off.
-    """
-    journey = run.journey
-    title = journey.title or f"{journey.train.title} on {journey.line.title}"
-    speeds = _figure((10, 4.5), lambda axes: draw_speeds(axes, journey, runs))
-    trade = _figure((7, 4.2), lambda axes: draw_trade_off(axes, curves))
-    legs = [["from – to, s", *times], *leg_rows(journey, times)]
-    energy = [["flat out", "kWh"], *map(list, energy_rows(run))]
-    return (
-        f"<!doctype html><html lang='en'><meta charset='utf-8'><title>{escape(title)}</title>"
-        f"<style>{_STYLE}</style><h1>{escape(title)}</h1>{_table(summary)}"
-        f"<h2>Speed over distance</h2>{speeds}<h2>Running times</h2>{_table(legs)}"
-        f"<h2>Energy</h2>{_table(energy)}<h2>Energy over time</h2>{trade}"
-        f"<p>Line: {escape(journey.line.source)}. Train: {escape(journey.train.source)}. "
-        "A simulation without slip, no approval.</p></html>\n"
+def page(found: Any) -> str:
+    """Return the page about what `railgrip.campaign.driving.driven` gave."""
+    journey, ways = found.journey, found.ways
+    head, *rows = found.summary()
+    runs = {way.name: (way.position, way.speed) for way in ways}
+    times = {way.name: way.running_times for way in ways}
+    sources = f"Line: {journey.line.source}. Train: {journey.train.source}."
+    notice = "A simulation without slip, not an approval."
+    curves = coasting_curve(journey) if journey.coasting is not None else None
+    return static_page(
+        found.title,
+        [
+            heading(found.title, notice, sources),
+            table(head, rows),
+            "<h2>Speed over distance</h2>",
+            _figure((10, 4.5), "speed", lambda axes: draw_speeds(axes, journey, runs, curves)),
+            "<h2>Energy over time</h2>",
+            _figure((7, 4.2), "energy over time", lambda axes: draw_trade_off(axes, found.curves)),
+            "<h2>Running times</h2>",
+            table(["from – to, s", *times], leg_rows(journey, times)),
+            "<h2>Energy, kWh</h2>",
+            table(["", *times], energy_rows(found)),
+            *_tuned(found),
+            *(_log(way) for way in ways if way.log),
+        ],
     )
+
+
+def _tuned(found: Any) -> list[str]:
+    if found.tuned is None:
+        return []
+    return ["<h2>Coasting, tuned</h2>", table(["parameter (SI)", ""], found.tuned_rows())]
+
+
+def _log(way: Any) -> str:
+    heads = ["position, km", "time, s", "speed, km/h", "ready", "acting"]
+    rows = [
+        [f"{one.position / 1e3:.3f}", f"{one.time:.1f}", f"{one.speed * 3.6:.1f}",
+         "yes" if one.is_ready else "no", "yes" if one.is_acting else "no"]
+        for one in way.log
+    ]  # fmt: skip
+    return f"<h2>Indicators, {way.name}</h2>" + table(heads, rows)
 
 
 def _name(stop: Any) -> str:
     return stop.name or f"{stop.at / 1e3:.3f} km"
 
 
-def _table(rows: Sequence[Sequence[str]]) -> str:
-    def line(cells: Sequence[str], tag: str) -> str:
-        return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
-
-    return f"<table>{line(rows[0], 'th')}{''.join(line(row, 'td') for row in rows[1:])}</table>"
-
-
-def _figure(size: tuple[float, float], draw: Any) -> str:
+def _figure(size: tuple[float, float], words: str, draw: Any) -> str:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, layout="constrained")
     FigureCanvasAgg(figure)
     draw(figure.subplots())
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=110)
-    return (
-        f"<img alt='' src='data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}'>"
-    )
+    return picture(figure, words)

@@ -163,7 +163,11 @@ def status_sentence(result: Any, run: int = 0) -> str:
     'The train came to a stand.'
     """
     number = View(dataset_of(result), run).number("status")
-    return sentence(RunStatus(int(number))) if number == number else ""
+    if number != number:
+        return ""
+    said = str(dataset_of(result).attrs.get("failure", ""))
+    failed = int(number) == RunStatus.CONTROLLER_FAILED
+    return said if failed and said else sentence(RunStatus(int(number)))
 
 
 class AxleTable(NamedTuple):

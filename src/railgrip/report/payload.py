@@ -23,12 +23,16 @@ AXLE = (
     "flash_temperature",
     "disc_temperature",
     "dump_valve",
+    "unit_reference_speed",
 )
+AXLE_COMPARED = (*AXLE, "rail_friction", "contact_force")
 RAIL = ("rail_friction_before", "rail_friction_after", "rail_energy", "rail_sand")
 GHOST_TRAIN = ("train_speed", "reference_speed", "acceleration")
 GHOST_AXLE = ("wheel_speed", "brake_cylinder_pressure", "flash_temperature")
 MISSING = 65535
 GHOST_POINTS = 1500
+COMPARED_LETTERS = 3.2e6
+"""Of base64 that a page of several runs spends on their axles' curves."""
 
 
 class Overlay(Protocol):
@@ -93,10 +97,35 @@ def payload(
     """Return all that the page draws, in the engineer's units; nothing of a run without traces."""
     if not view.has("train_speed"):
         return {}
-    axle_signals = [name for name in AXLE if view.has(name)]
-    letters = len(view.axles) * len(axle_signals) * 2 * 4 / 3  # of base64, for one point in time
-    budget = 1.3e6 + 40e3 * max(0, len(view.axles) - 16)
-    thin = Thinner(len(view.time), int(np.clip(budget / max(letters, 1.0), 600, 6000)))
+    page = whole_run(view, 1.3e6, AXLE, 600)
+    page["ghosts"] = []
+    for name, other in (ghosts or {}).items():
+        less = Thinner(len(other.time), GHOST_POINTS)
+        page["ghosts"].append({"name": name, **_run(other, less, GHOST_TRAIN, GHOST_AXLE)})
+    if measured is not None:
+        page["ghosts"].append(_measured(measured))
+    return page
+
+
+def compared_runs(views: dict[str, View]) -> dict[str, Any]:
+    """Return whole runs side by side: any of them can be looked at, the others lie behind it."""
+    if not all(view.has("train_speed") for view in views.values()):
+        return {}
+    budget = max(0.35e6, COMPARED_LETTERS / len(views))
+    return {
+        "runs": [
+            {"name": name, **whole_run(view, budget, AXLE_COMPARED, 400)}
+            for name, view in views.items()
+        ]
+    }
+
+
+def whole_run(view: View, letters: float, axle: tuple[str, ...], fewest: int) -> dict[str, Any]:
+    """Return a run with all that belongs to it, in about so many letters of base64 at 16 axles."""
+    axle_signals = [name for name in axle if view.has(name)]
+    per_point = len(view.axles) * len(axle_signals) * 2 * 4 / 3
+    budget = letters + 40e3 * max(0, len(view.axles) - 16)
+    thin = Thinner(len(view.time), int(np.clip(budget / max(per_point, 1.0), fewest, 6000)))
     page = _run(view, thin, TRAIN, tuple(axle_signals))
     page |= {
         "vehicles": view.vehicles,
@@ -109,16 +138,10 @@ def payload(
             {"name": name, "values": packed(thin(curve * 100))}
             for name, curve in thresholds(view).items()
         ],
-        "ghosts": [],
     }
     if view.has("reservoir_pressure"):
         bars = view.get("reservoir_pressure") / 1e5
         page["vehicle"]["reservoir_pressure"] = [packed(thin(bar)) for bar in bars]
-    for name, other in (ghosts or {}).items():
-        less = Thinner(len(other.time), GHOST_POINTS)
-        page["ghosts"].append({"name": name, **_run(other, less, GHOST_TRAIN, GHOST_AXLE)})
-    if measured is not None:
-        page["ghosts"].append(_measured(measured))
     return page
 
 
@@ -127,6 +150,8 @@ def _run(
 ) -> dict[str, Any]:
     def shown_values(name: str) -> Array:
         values = view.get(name) * shown(name).factor
+        if name == "contact_force":
+            return -values  # of the brake, as it is read: against the train's way is positive
         return np.abs(values) if name == "adhesion_used" else values
 
     return {

@@ -118,7 +118,8 @@ def comparison_table(runs: Mapping[str, Sequence[Metric]]) -> str:
             less = f" ({change:{form}})" if change == change and change else ""
             cells.append(other[figure.name].text.partition(" (")[0] + less)
         rows.append((figure.label, cells))
-    return table("Runs compared (in brackets: less the first)", ["Figure", *runs], rows)
+    caption = f"Runs compared (in brackets: less {next(iter(runs))})"
+    return table(caption, ["Figure", *runs], rows)
 
 
 def difference_table(rows: Iterable[Any]) -> str:
@@ -142,7 +143,8 @@ def table(
     strong: str = "",
 ) -> str:
     """Return a table whose first column names the row."""
-    top = "".join(f'<th scope="col">{escape(head)}</th>' for head in heads)
+    heads = [escape(head).replace("_", "_<wbr>") for head in heads]
+    top = "".join(f'<th scope="col">{head}</th>' for head in heads)
     body = []
     for label, cells in rows:
         mark = ' class="worst"' if strong and label == strong else ""

@@ -32,6 +32,7 @@ _BY_UNIT = {
     "s": Shown("s", 1.0, 2),
     "Pa": Shown("bar", 1e-5, 2),
     "N": Shown("kN", 1e-3, 1),
+    "N m": Shown("kN m", 1e-3, 1),
     "J": Shown("kJ", 1e-3, 0),
     "J/m": Shown("kJ/m", 1e-3, 2),
     "kg/m": Shown("g/m", 1e3, 1),

@@ -164,6 +164,9 @@ class View:
         Where no controller gives a reference speed, the train's speed stands in for it.
         """
         reference = self.get("reference_speed" if self.has_reference else "train_speed")
+        if self.has("unit_reference_speed"):  # an axle's slip is what its own unit counts
+            reference = self.get("unit_reference_speed")
+            reference = np.where(reference > 0, reference, self.get("train_speed"))
         known = np.where(reference > 3 / 3.6, reference, np.nan)
         return np.asarray(1.0 - self.get("wheel_speed") / known)
 

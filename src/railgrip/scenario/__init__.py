@@ -15,10 +15,11 @@ from railgrip.scenario.friction import ConstantPad, KarwatzkiPad, Pad, Piecewise
 from railgrip.scenario.limits import Limits
 from railgrip.scenario.line import Curve, GradientPoint, Line, Route, SpeedLimit
 from railgrip.scenario.rail import FrictionState, Rail, RailCondition, RailPatch, RandomField
-from railgrip.scenario.run import DemandPoint, Run, Wsp
+from railgrip.scenario.run import DemandPoint, Run
 from railgrip.scenario.scenario import Load, Scenario
 from railgrip.scenario.train import AxlePlace, BogiePlace, Train
 from railgrip.scenario.vehicle import Vehicle
+from railgrip.scenario.wsp import Wsp, WspUnit
 
 __all__ = [
     "Axle",
@@ -59,4 +60,5 @@ __all__ = [
     "Train",
     "Vehicle",
     "Wsp",
+    "WspUnit",
 ]

@@ -22,7 +22,7 @@ def describe(scenario: Scenario) -> str:
         "line": _line(scenario),
         "rail": _rail(scenario),
         "run": _run(scenario),
-        "wsp": scenario.wsp.controller,
+        "wsp": str(scenario.wsp),
     }
     parts |= {f"fault {i + 1}": str(fault) for i, fault in enumerate(scenario.fault)}
     title = [scenario.title] if scenario.title else []

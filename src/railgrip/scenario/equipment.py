@@ -19,6 +19,8 @@ from railgrip.scenario.units import (
     QuadraticResistance,
     Speed,
     Time,
+    TorsionalDamping,
+    TorsionalStiffness,
 )
 
 
@@ -103,6 +105,20 @@ class Resistance(Model):
     quadratic: QuadraticResistance = Field(default=0.0, ge=0, le=1e4, description="C.")
 
 
+class Driveline(Model):
+    """Shaft between motor and wheelset, referred to the wheelset; the same on each motored axle."""
+
+    stiffness: TorsionalStiffness = Field(
+        gt=0, le=1e9, description="Torque that twists the shaft by one radian."
+    )
+    damping: TorsionalDamping = Field(
+        default=0.0, ge=0, le=1e7, description="Torque for each radian a second of twisting."
+    )
+    motor_share: Dimensionless = Field(
+        gt=0, lt=1, description="Share of the axle's rotating mass that turns with the motor."
+    )
+
+
 class Traction(Model):
     """Tractive effort of the whole train, in equal parts on its motored axles."""
 
@@ -112,4 +128,7 @@ class Traction(Model):
     inverter: Literal["axle", "bogie", "vehicle"] = Field(
         default="axle",
         description="Motors that one inverter feeds: they are reduced together.",
+    )
+    driveline: Driveline | None = Field(
+        default=None, description="Shaft between motor and wheelset; absent: rigid."
     )

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from railgrip.core.errors import Problem
 from railgrip.scenario.base import Model, Text, refuse
+from railgrip.scenario.coasting import Coasting
 from railgrip.scenario.leader import Leader
 from railgrip.scenario.line import Line, LineStop
 from railgrip.scenario.point_train import PointTrain
@@ -46,6 +47,9 @@ class Journey(Model):
     )
     time: Time | None = Field(
         default=None, gt=0, le=1e6, description="Running time without dwells, for the optimum."
+    )
+    coasting: Coasting | None = Field(
+        default=None, description="Coasting-initiation; absent: none."
     )
     leader: Leader | None = Field(
         default=None, description="A train ahead on the same line; absent: none."

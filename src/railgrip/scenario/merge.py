@@ -24,6 +24,9 @@ def merged(under: Table, over: Table) -> Table:
     """
     if any(key in over and over[key] != under.get(key, usual) for key, usual in _DECIDING.items()):
         return dict(over)
+    # a controller for all replaces the units of a train, and units replace it
+    if "unit" in over or ("controller" in over and "unit" in under):
+        return dict(over)
     result = dict(under)
     for key, value in over.items():
         below = result.get(key)

@@ -1,4 +1,4 @@
-"""What the driver does, how long and how finely it is computed, who protects the wheels."""
+"""What the driver does, how long and how finely it is computed."""
 
 from __future__ import annotations
 
@@ -205,16 +205,3 @@ def _as_number(value: Any) -> Any:
 
 
 Parameter = Annotated[float, BeforeValidator(_as_number), _ShortForm()]
-
-
-class Wsp(Model):
-    """The wheel-slide protection."""
-
-    controller: Annotated[Text, Plugin("railgrip.controllers", "controller", "none")] = Field(
-        default="conventional",
-        min_length=1,
-        description="A registered controller, 'none', or a Python file that holds one.",
-    )
-    parameters: dict[Text, Parameter] = Field(
-        default={}, max_length=1000, description="Of the controller, SI or with units."
-    )

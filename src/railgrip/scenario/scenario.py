@@ -21,9 +21,11 @@ from railgrip.scenario.line import Route
 from railgrip.scenario.merge import with_path
 from railgrip.scenario.rail import Rail
 from railgrip.scenario.reference import Reference
-from railgrip.scenario.run import Run, Wsp
+from railgrip.scenario.run import Run
 from railgrip.scenario.train import Train
+from railgrip.scenario.trip import Trip
 from railgrip.scenario.units import Dimensionless
+from railgrip.scenario.wsp import Wsp
 
 LoadState = Literal["normal", "empty", "laden"]
 
@@ -98,6 +100,9 @@ class Scenario(Model):
         default=None,
         description="Friction estimate and deceleration control above it; absent: none.",
     )
+    trip: Trip | None = Field(
+        default=None, description="From stop to stop, for `railgrip drive`; absent: one stop."
+    )
     fault: Annotated[tuple[Fault, ...], Field(max_length=1000)] = Field(
         default=(), description="What breaks during the run."
     )
@@ -117,6 +122,7 @@ class Scenario(Model):
             *scenario._limits_fit_speed(),
             *scenario._can_drive(),
             *scenario._faults_have_axles(),
+            *scenario.wsp.problems(scenario.train),
         ]
         if problems:
             raise RailgripError(problems)

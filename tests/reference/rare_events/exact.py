@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 from scipy.special import log_ndtr, logsumexp
 
@@ -40,3 +41,42 @@ def lognormal_quantiles(n: int, q: float, spread: float) -> list[float]:
 
     return [brentq(lambda k, p=p: log_probability(k) - np.log(p), 1e-3, 9.0, xtol=1e-13)
             for p in LEVELS]  # fmt: skip
+
+
+def of_units(n: int, q: float, probability: Callable[[float], float]) -> list[float]:
+    """Return quantiles of a result less the share of n equal units that have failed.
+
+    Parameters
+    ----------
+    probability : callable
+        Probability that the result with no unit failed is below a bound.
+    """
+    from scipy.stats import binom
+
+    weight = binom.pmf(np.arange(n + 1), n, q)
+
+    def log_probability(k: float) -> float:
+        return float(np.log(sum(w * probability(k + j / n) for j, w in enumerate(weight)) + 1e-300))
+
+    return [brentq(lambda k, p=p: log_probability(k) - np.log(p), -3.0, 3.0, xtol=1e-13)
+            for p in LEVELS]  # fmt: skip
+
+
+def least_of(mean: ArrayLike, deviation: ArrayLike) -> Callable[[float], float]:
+    """Return 1 − Π (1 − Φ((k − m)/s)): the least of independent normal quantities is below k."""
+    m, s = np.asarray(mean), np.asarray(deviation)
+    return lambda k: float(-np.expm1(log_ndtr(-(k - m) / s).sum()))
+
+
+def distance_of(n: int, scale: float) -> Callable[[float], float]:
+    """Return the probability that 1 − scale · |u|² is below k, u normal in n dimensions."""
+    from scipy.stats import chi2
+
+    return lambda k: float(chi2.sf((1.0 - k) / scale, n))
+
+
+def two_sided(deviation: float) -> Callable[[float], float]:
+    """Return the probability that 1 − |x| is below k, x normal with this deviation."""
+    from scipy.special import ndtr
+
+    return lambda k: min(1.0, 2.0 * float(ndtr(-(1.0 - k) / deviation)))

@@ -103,6 +103,51 @@ def test_a_lognormal_factor_bends_the_tail() -> None:
     assert coverage(found, exact)[0] >= 0.92
 
 
+def less_failed(result: Any) -> Any:
+    return lambda normals, failed: result(normals) - failed.mean(axis=1)
+
+
+@pytest.mark.parametrize("spreads", [(0.03, 0.04, 0.06), (0.05,) * 4])
+def test_the_least_of_several_quantities(spreads: tuple[float, ...]) -> None:
+    """Falls in as many directions as there are quantities; every level is resolved."""
+    n = len(spreads)
+    exact = EXACT.of_units(8, 1e-3, EXACT.least_of([1.0] * n, spreads))
+    model = less_failed(lambda u: np.min(1.0 + np.array(spreads) * u, axis=1))
+    states = failure_states([1e-3] * 8, [0] * 8)
+    found = [rare_quantiles(model, n, states, seed=seed, runs=9000) for seed in SEEDS]
+    pooled, held = coverage(found, exact)
+    assert pooled >= 0.92
+    assert held >= len(SEEDS) - 1
+    assert all(not one.warnings for one in found)
+    assert max(q.high - q.low for one in found for q in one.quantile) < 0.03
+
+
+def test_too_much_is_as_bad_as_too_little() -> None:
+    exact = EXACT.of_units(4, 1e-3, EXACT.two_sided(0.1 / 8**0.5))
+    model = less_failed(lambda u: 1.0 - 0.1 * np.abs(u.mean(axis=1)))
+    states = failure_states([1e-3] * 4, [0] * 4)
+    found = [rare_quantiles(model, 8, states, seed=seed) for seed in SEEDS]
+    pooled, held = coverage(found, exact)
+    assert pooled >= 0.92
+    assert held >= len(SEEDS) - 1
+    assert all(not one.warnings for one in found)
+
+
+def test_weights_of_several_directions_are_exact() -> None:
+    """Whatever the directions, weights add up to that of half-spaces and their union."""
+    from scipy.stats import norm
+
+    states = failure_states([0.0])
+    found = rare_quantiles(
+        less_failed(lambda u: np.min(1.0 + 0.05 * u, axis=1)), 3, states, runs=50_000
+    )
+    sample = found.sample
+    p = float(norm.sf(5.0))
+    below = sample.normals < -5.0
+    assert sample.weight[below.any(axis=1)].sum() == pytest.approx(1.0 - (1.0 - p) ** 3, rel=0.05)
+    assert sample.weight[below[:, 0]].sum() == pytest.approx(p, rel=0.05)
+
+
 def test_several_directions_are_not_passed_over_in_silence() -> None:
     states = failure_states([1e-3] * 4, [0] * 4)
     found = rare_quantiles(

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from railgrip.campaign.rare.estimate import rare_quantiles
 from railgrip.campaign.safety import marginals
 from railgrip.campaign.safety.case import SafetyCase, find_case, read_safety_case
 from railgrip.campaign.safety.draws import layout_of, trains
@@ -151,3 +152,194 @@ def test_the_formula_refuses_motors() -> None:
     case = SafetyCase.model_validate(tomllib.loads(text))
     with pytest.raises(RailgripError, match="friction brakes only"):
         Formula(case, layout_of(case), 30.0)
+
+
+CONTROLLED = find_case("emu_brake_control")
+
+
+@pytest.fixture(scope="module")
+def controlled() -> SafetyCase:
+    return read_safety_case(CONTROLLED).model_copy(update={"speed_steps": (80 / 3.6,)})
+
+
+def factors_of(case: SafetyCase, normals: Any, failed: Any) -> np.ndarray:
+    layout = layout_of(case)
+    stop = Plant(case, layout, case.speed_steps[0], threads=2)
+    distance, response = stop.nominal()
+    model = dry_factor(stop, layout, distance - stop.speed * response, response)
+    found: np.ndarray = model(normals, failed[:, : len(layout.fails)])
+    return found
+
+
+def test_brake_control_narrows_the_scatter_until_it_fails(controlled: SafetyCase) -> None:
+    """On the same trains it scatters a third; where it fails, the train brakes as without it."""
+    layout = layout_of(controlled)
+    normals = np.random.default_rng(5).standard_normal((64, layout.n_variables))
+    failed = np.zeros((64, len(layout.fails)), dtype=bool)
+    kept = factors_of(controlled, normals, failed)
+    bare = factors_of(controlled.without_control(), normals, failed)
+    assert np.std(kept) < 0.34 * np.std(bare)
+    failed[:, layout.control] = True
+    lost = factors_of(controlled, normals, failed)
+    # the factors refer to two nominal stops, whose build-up times differ by 10 ms
+    assert lost / bare == pytest.approx(np.full(64, lost[0] / bare[0]), rel=2e-4)
+
+
+def test_states_of_a_failed_control_are_sought_apart(controlled: SafetyCase) -> None:
+    states, control = layout_of(controlled).states, layout_of(controlled).control
+    lost = states.failed[:, control]
+    assert not set(states.n_failed[lost]) & set(states.n_failed[~lost])
+    assert states.weight[lost].sum() == pytest.approx(1 - (1 - 1e-4) * (1 - 1e-5), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "sentence"),
+    [
+        ('method = "plant"', 'method = "formula"', "brake_control: is unknown to the formula"),
+        ('method = "plant"', 'method = "formula"', "variables[4].quantity: is unknown"),
+        ('mean = "120 degC"', 'mean = "120 bar"', "variables[4].mean"),
+        ('means = "value"', 'means = "factor"', "must be 'value' for disc_temperature"),
+        ("pressure_reserve = 1.3", "pressure_reserve = 0.3", "brake_control.pressure_reserve"),
+    ],
+)
+def test_a_case_that_only_the_plant_knows(
+    right: str, wrong: str, sentence: str, tmp_path: Path
+) -> None:
+    text = CONTROLLED.read_text(encoding="utf-8")
+    assert right in text
+    file = tmp_path / "case.toml"
+    file.write_text(text.replace(right, wrong, 1), encoding="utf-8")
+    with pytest.raises(RailgripError) as error:
+        read_safety_case(file)
+    assert sentence in str(error.value)
+
+
+def test_a_control_that_is_not_there_cannot_fail(tmp_path: Path) -> None:
+    text = SHIPPED.read_text(encoding="utf-8").replace(
+        'per = "axle"\nlatent', 'per = "control"\nlatent'
+    )
+    file = tmp_path / "case.toml"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(RailgripError, match="fails a brake control that is not there"):
+        read_safety_case(file)
+
+
+TIED = """
+[[variables]]
+quantity = "rigging_efficiency"
+per = "train"
+distribution = "lognormal"
+mean = 1
+deviation = 0.05
+source = "test"
+
+[[variables]]
+quantity = "pad_friction"
+per = "train"
+distribution = "lognormal"
+mean = 1
+deviation = 0.08
+source = "test"
+
+[[correlation]]
+variables = ["rigging_efficiency", "pad_friction"]
+matrix = [[1, 0.7], [0.7, 1]]
+"""
+
+
+def tied(tmp_path: Path, text: str = TIED) -> SafetyCase:
+    head = 'train = "emu_en14531"\nspeed_steps = ["100 km/h"]\n'
+    file = tmp_path / "case.toml"
+    file.write_text(head + text, encoding="utf-8")
+    return read_safety_case(file)
+
+
+def test_correlated_factors_make_the_product_of_two_lognormals(tmp_path: Path) -> None:
+    """Its logarithm is normal with s₁² + s₂² + 2 ρ s₁ s₂, out to a thousand-millionth."""
+    layout = layout_of(tied(tmp_path))
+    found = rare_quantiles(
+        lambda normals, failed: (
+            (made := trains(layout, normals, failed)).efficiency[:, 0] * made.friction[:, 0]
+        ),
+        layout.n_variables,
+        layout.states,
+        owner=layout.owner,
+        runs=5000,
+    )
+    a, b = np.log1p(0.05**2), np.log1p(0.08**2)
+    spread = np.sqrt(a + b + 2 * 0.7 * np.sqrt(a * b))
+    for level, p in ((1, 1e-1), (5, 1e-5), (9, 1e-9)):
+        exact = np.exp(spread * stats.norm.ppf(p) - 0.5 * (a + b))
+        assert found.quantile[level].low_all <= exact <= found.quantile[level].high_all
+        assert found.quantile[level].value == pytest.approx(exact, rel=2e-3)
+
+
+def test_correlation_leaves_each_distribution_as_it_is(tmp_path: Path) -> None:
+    text = TIED.replace('per = "train"', 'per = "axle"') + (
+        '[[failures]]\nper = "axle"\nlatent = 1e-3\nsource = "test"\n'
+    )
+    layout = layout_of(tied(tmp_path, text))
+    assert set(layout.owner) == set(range(8))
+    normals = np.random.default_rng(5).standard_normal((20_000, layout.n_variables))
+    made = trains(layout, normals, np.zeros((len(normals), 8), dtype=bool))
+    for axle in (0, 7):
+        a, b = np.log(made.efficiency[:, axle]), np.log(made.friction[:, axle])
+        assert np.corrcoef(a, b)[0, 1] == pytest.approx(0.7, abs=0.02)
+        assert made.friction[:, axle].std() == pytest.approx(0.08, rel=0.03)
+    others = np.corrcoef(made.efficiency[:, 0], made.friction[:, 1])[0, 1]
+    assert abs(others) < 0.03
+
+
+def test_a_measured_sample_gives_its_own_quantiles(tmp_path: Path) -> None:
+    """Hazen's rule, as numpy has it; nothing beyond the least and the greatest."""
+    sample = [0.91, 1.08, 0.99, 1.02, 0.97, 1.0]
+    (tmp_path / "pads.csv").write_text(
+        "pad,factor\n" + "".join(f"{i},{x}\n" for i, x in enumerate(sample)), encoding="utf-8"
+    )
+    text = """
+[[variables]]
+quantity = "pad_friction"
+distribution = "empirical"
+file = "pads.csv"
+column = "factor"
+source = "test"
+
+[[variables]]
+quantity = "cylinder_pressure"
+means = "difference"
+distribution = "empirical"
+values = ["-0.1 bar", "0.2 bar"]
+source = "test"
+"""
+    case = tied(tmp_path, text)
+    layout = layout_of(case)
+    u = np.linspace(-7.0, 7.0, 31)
+    made = trains(layout, np.repeat(u[:, None], 16, axis=1), np.zeros((31, 0), dtype=bool))
+    exact = np.quantile(sample, stats.norm.cdf(u), method="hazen")
+    assert made.friction[:, 3] == pytest.approx(exact, rel=1e-12)
+    pressure = layout.brakes.pressure[3]
+    assert made.pressure[0, 3] == pytest.approx(pressure - 1e4)
+    assert made.pressure[-1, 3] == pytest.approx(pressure + 2e4)
+
+
+WRONG_TIES = {
+    "[[1, 0.7], [0.7, 1]]": ("[[1, 1.7], [1.7, 1]]", "is not positive definite"),
+    "0.7], [0.7": ("0.7], [0.6", "must be symmetric"),
+    '["rigging_efficiency", "pad_friction"]': (
+        '["rigging_efficiency", "pad_frictoin"]', "did you mean 'pad_friction'?"),
+    '"pad_friction"\nper = "train"': ('"pad_friction"\nper = "axle"', "the same 'per'"),
+    'distribution = "lognormal"\nmean = 1\ndeviation = 0.08': (
+        'distribution = "empirical"\nvalues = [1.0]', "at least two different values"),
+    "deviation = 0.08": ("deviation = 0.08\nvalues = [1, 2]", "values: does not belong"),
+    'distribution = "lognormal"\nmean = 1\ndeviation = 0.05': (
+        'distribution = "empirical"\nfile = "no.csv"', "no.csv"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("right", WRONG_TIES)
+def test_what_cannot_go_together_is_refused(right: str, tmp_path: Path) -> None:
+    wrong, sentence = WRONG_TIES[right]
+    assert right in TIED
+    with pytest.raises(RailgripError) as error:
+        tied(tmp_path, TIED.replace(right, wrong, 1))
+    assert sentence in str(error.value)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,6 @@ from tests.conftest import Coach
 
 import railgrip as rg
 from railgrip.control.contract import DUMP_VALVE, DYNAMIC_SHARE, Command, Measured, Setup
-from railgrip.core.errors import RailgripError
 from railgrip.core.status import ENDED_WELL, RunStatus, sentence
 
 
@@ -76,9 +76,13 @@ def test_a_command_that_is_none(coach: Coach, bad: dict[str, float]) -> None:
     assert result.data["time"].values[-1] < 0.2
 
 
-def test_a_command_for_other_axles_is_one_sentence(coach: Coach) -> None:
-    with pytest.raises(RailgripError, match=r"wsp.controller: Stubborn.step failed; got .*; try"):
-        rg.simulate(coach(0.3, speed=10.0), controller=Stubborn(count=3))
+def test_a_controller_that_raises_ends_its_run_and_its_way_is_kept(coach: Coach) -> None:
+    result = rg.simulate(coach(0.3, speed=10.0), controller=Stubborn(count=3))
+    assert result.status == RunStatus.CONTROLLER_FAILED
+    assert re.match(r"wsp.controller: Stubborn.step failed; got .*; try", result.sentence)
+    assert 0.05 < result.data["time"].values[-1] < 0.2
+    assert np.isfinite(result["train_speed"].values).all()
+    assert np.isnan(result["stopping_distance"].values[0])
 
 
 def stubborn_kernel(

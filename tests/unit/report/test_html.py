@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from railgrip.report.html import CHARTS, report_html, write_report
+from railgrip.report.html import CHARTS, ONLY_COMPARED, report_html, write_report
 from railgrip.report.payload import packed
 
 EVIL = "</title><script>alert('é & \"you\"')</script>"
@@ -103,7 +103,7 @@ def test_accessible(text, page):
     assert all(attrs.get("scope") in ("col", "row") for attrs in page.of("th"))
     assert len(page.of("caption")) == len(page.of("table")) - 1  # one is filled by the cursor
     charts = [attrs for attrs in page.of("div") if attrs.get("class") == "chart"]
-    assert len(charts) == len(CHARTS) - 2  # no sand, no motor
+    assert len(charts) == len(CHARTS) - len(ONLY_COMPARED) - 2  # no sand, no motor
     assert all(attrs["role"] == "img" and attrs["aria-label"] for attrs in charts)
     assert 'name="viewport"' in text
 

@@ -103,6 +103,7 @@ def test_every_signal_has_a_way_to_be_shown(name):
         "bar",
         "m/s²",
         "kN",
+        "kN m",
         "kJ",
         "kJ/m",
         "g/m",

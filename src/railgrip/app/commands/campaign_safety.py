@@ -55,7 +55,7 @@ def safety(
         raise RailgripError(Problem("--threads", "must be at least 1", got=str(threads)))
     with working("reading the case"):
         from railgrip.campaign.safety.case import SafetyCase, find_case, read_safety_case
-        from railgrip.campaign.safety.factors import as_table, safety_factors
+        from railgrip.campaign.safety.factors import as_table, safety_factors, warnings
         from railgrip.scenario.explain import problems_of
 
         path = find_case(file)
@@ -71,19 +71,19 @@ def safety(
             raise RailgripError(problems_of(error, SafetyCase)) from None
     found = safety_factors(case, threads=threads, progress=_tell)
     rows = as_table(found)
-    warnings = [one for step in found.steps for one in step.dry.warnings]
-    code = 1 if any("not resolved" in one for one in warnings) else 0
+    told = warnings(found)
+    code = 1 if any("not resolved" in one for one in told) else 0
     content: dict[str, Any] = {
         "title": case.title, "notice": "simulation, not an approval", "method": case.method,
         "seed": case.seed, "runs": [step.dry.runs for step in found.steps], "rows": rows,
-        "warnings": warnings,
+        "warnings": told,
     }  # fmt: skip
     files = [] if no_report else _write(found, content, out or Path("out") / f"{path.stem}_safety")
     if as_json:
         print_json({**content, "files": [str(one) for one in files], "exit_code": code})
         return code
     _show(found, rows)
-    for one in warnings:
+    for one in told:
         print(one, file=sys.stderr)
     if files:
         print(f"Report: {files[1]}\nTable: {files[0]}")
@@ -108,6 +108,11 @@ def _show(found: SafetyFactors, rows: list[dict[str, Any]]) -> None:
         for row in rows
     ]
     heads = ["from km/h", "EBCL", "K_dry", "95 %", "K_wet", "A_brake_safe m/s²", "stop m"]
+    if found.without is not None:
+        heads += ["without control: K_dry", "stop m"]
+        for cells, row in zip(table, rows, strict=True):
+            cells.append(f"{row['without_control_k_dry']:.4f}")
+            cells.append(f"{row['without_control_stopping_distance_safe']:.1f}")
     title = f"{found.case.title or found.case.train.title}: simulation, not an approval"
     print_table(title, heads, table)
 

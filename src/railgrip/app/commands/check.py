@@ -39,7 +39,8 @@ def _check_scenario(file: str, as_json: bool) -> int:
         law = scenario.run.creep_law
         group = registry.group_of(law, ("railgrip.laws", "railgrip.rolling_laws"))
         registry.resolve(group, law, "run.creep_law")
-        _check_protection(scenario.wsp.controller)
+        for protection in scenario.wsp.unit or [scenario.wsp]:
+            _check_protection(protection.controller)
     if as_json:
         print_json({"file": file, "in_order": True, "title": scenario.title, "exit_code": IN_ORDER})
     else:

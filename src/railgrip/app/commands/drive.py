@@ -21,71 +21,73 @@ def drive(
     *,
     supplement: float | None = None,
     time: float | None = None,
+    tune: bool = False,
+    seed: int = 1,
     out: Path | None = None,
     as_json: Json = False,
 ) -> int:
-    """Drive a journey without slip, flat out and with the least energy for its time.
+    """Drive a journey without slip: flat out, with coasting, and with the least energy.
+
+    Coasting is driven where the file has a table [coasting], or with --tune. A scenario with a
+    table [trip] is driven on the plant, axle by axle, beside the same trip without slip.
 
     Parameters
     ----------
     file
-        The journey (TOML): train, line, stops.
+        The journey (TOML): train, line, stops; or a scenario with a table [trip].
     supplement
         Share of time beyond the least possible, e.g. 0.05, instead of the file's.
     time
         Running time in seconds without dwells, instead of the file's.
+    tune
+        Search the coasting parameters of least energy for that time.
+    seed
+        Of the search.
     out
         Folder for the report; ./out/FILE if not given.
     as_json
         Print one JSON object instead of the tables.
     """
+    from railgrip.io.toml_file import read_toml
+
+    if "trip" in read_toml(file):
+        from railgrip.app.commands.drive_trip import drive_on_plant
+
+        _only_journeys(supplement, time, tune)
+        return drive_on_plant(file, out, as_json)
     with working("driving"):
         from railgrip.app.files import folder_of_results
-        from railgrip.campaign.optimum.timetable import optimum
-        from railgrip.campaign.optimum.trade_off import capped_curve, optimal_curve
-        from railgrip.engine.journey.drive import drive as drive_fast
+        from railgrip.campaign.driving import driven
         from railgrip.io.journey_toml import read_journey
         from railgrip.report.journey_page import energy_rows, leg_rows, page
 
-        journey = _asked(read_journey(file), supplement, time)
-        fast = drive_fast(journey)
-        best = optimum(journey)
-        curve = optimal_curve(journey)
-        capped = capped_curve(journey, float(curve[0].max()))
-    head = ["", "running time, s", "energy, kWh", "of flat out"]
-    whole = fast.energy["pantograph"]
-    rows = [
-        [name, f"{seconds:.1f}", f"{energy / 3.6e6:.2f}", f"{energy / whole:.1%}"]
-        for name, seconds, energy in (
-            ("flat out", fast.running_time, whole),
-            ("optimum", best.running_time, best.energy),
-        )
-    ]
-    times = {"flat out": fast.running_times, "optimum": best.running_times}
+        found = driven(_asked(read_journey(file), supplement, time), tune=tune, seed=seed)
     folder = out or Path("out") / file.stem
-    runs = {
-        "flat out": (fast.trace["position"], fast.trace["speed"]),
-        "optimum": (best.position, best.speed),
-    }
-    curves = {"optimum": curve, "full power to a lower top speed": capped}
     with folder_of_results(folder) as aside:
-        text = page(fast, runs, [head, *rows], times, curves)
-        (aside / _PAGE).write_text(text, encoding="utf-8")
+        (aside / _PAGE).write_text(page(found), encoding="utf-8")
     if as_json:
-        print_json({
-            "flat_out": {"running_time": fast.running_time, "energy": fast.energy,
-                         "switchings": fast.switchings},
-            "optimum": {"running_time": best.running_time, "energy": best.energy,
-                        "least_time": float(best.least_times.sum())},
-            "report": str(folder / _PAGE),
-        })  # fmt: skip
+        print_json({**found.as_table(), "report": str(folder / _PAGE)})
         return 0
-    title = journey.title or f"{journey.train.title} on {journey.line.title}"
-    print_table(title, head, rows)
-    print_table("Running times", ["from – to", *times], leg_rows(journey, times))
-    print_table("Energy, flat out", ["", "kWh"], [list(row) for row in energy_rows(fast)])
+    head, *rows = found.summary()
+    print_table(found.title, head, rows)
+    times = {way.name: way.running_times for way in found.ways}
+    print_table("Running times", ["from – to", *times], leg_rows(found.journey, times))
+    print_table("Energy, kWh", ["", *(way.name for way in found.ways)], energy_rows(found))
+    if found.tuned is not None:
+        print_table("Coasting, tuned", ["", ""], found.tuned_rows())
     print(f"Report: {folder / _PAGE}")
     return 0
+
+
+def _only_journeys(supplement: float | None, time: float | None, tune: bool) -> None:
+    given = {"--supplement": supplement, "--time": time, "--tune": tune or None}
+    problems = [
+        Problem(name, "is for journeys without slip", cure="a table [coasting] in [trip]")
+        for name, value in given.items()
+        if value is not None
+    ]
+    if problems:
+        raise RailgripError(problems)
 
 
 def _asked(journey: Journey, supplement: float | None, time: float | None) -> Journey:

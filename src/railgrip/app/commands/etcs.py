@@ -20,7 +20,13 @@ FINE = 1.0 / 3.6
 
 
 def etcs(
-    file: Path, /, *, out: Path | None = None, figures: str = "png", as_json: Json = False
+    file: Path,
+    /,
+    *,
+    factors: Path | None = None,
+    out: Path | None = None,
+    figures: str = "png",
+    as_json: Json = False,
 ) -> int:
     """Compute the ETCS supervision curves of a train before a target.
 
@@ -31,6 +37,9 @@ def etcs(
     ----------
     file
         Train, track, target and national values (TOML).
+    factors
+        Emergency brake, Kdry and Kwet as `railgrip campaign safety` found them (factors.json),
+        instead of the file's.
     out
         Folder of table and figure; ./out/FILE_etcs if not given.
     figures
@@ -43,6 +52,10 @@ def etcs(
         from railgrip.io.supervision_file import read_supervision
 
         case = read_supervision(file)
+        if factors is not None:
+            from railgrip.io.safety_factors import with_factors
+
+            case = with_factors(case, factors)
     limits = _limits(case, case.speed_step)
     with working("writing"):
         files = _write(case, limits, out or Path("out") / f"{file.stem}_etcs", formats)

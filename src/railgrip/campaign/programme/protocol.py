@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 import railgrip
-from railgrip.campaign.programme.perform import LimitRecord, Programme, RunRecord, TestRecord
+from railgrip.campaign.programme.perform import Programme
+from railgrip.campaign.programme.records import LimitRecord, RunRecord, TestRecord
 from railgrip.campaign.programme.verdict import KEPT, MISSED, NOT_APPLICABLE, mean_interval
 from railgrip.scenario import Scenario
 

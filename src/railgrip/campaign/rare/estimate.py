@@ -18,6 +18,10 @@ from railgrip.core.errors import Problem, RailgripError
 
 FloatArray = NDArray[np.float64]
 PILOT_SHARE = 0.1
+EXPLAINED = 0.97
+"""Several directions that explain less of what pilots gave leave rare levels unresolved."""
+RARE = 0.05
+"""More probable levels rest on the runs drawn as they come, whatever the directions."""
 """Runs of one pilot round, as a share of the whole sample."""
 
 
@@ -106,11 +110,13 @@ def rare_quantiles(
     Notes
     -----
     Failed units are enumerated with exact weights. Pilots find, for each number of failed units,
-    the direction in which the result falls; final samples are drawn beyond where each level
-    begins and weighted by the balance heuristic over all levels. Pilots are not counted. Known
-    wrong when the result falls in several quite different directions at once and a pilot of
-    thousands sees only one of them; a level that this leaves unresolved gets an open interval and
-    a warning. Check a new model with `railgrip.campaign.rare.cross_checks`.
+    the directions in which the result falls (at most six); final samples are drawn beyond where
+    each level begins, along each direction, and weighted by the balance heuristic over all of
+    them. Where variables are few, a shell around the centre joins in. Pilots are not counted.
+    Where several directions explain too little of what the pilots gave (a distance from the
+    centre, which has no end of them), or a level rests on too few effective runs, it gets an open
+    interval and a warning. Known wrong when thousands of pilots miss a direction altogether. Check
+    a new model with `railgrip.campaign.rare.cross_checks`.
 
     References
     ----------
@@ -139,15 +145,19 @@ def rare_quantiles(
     asked = Counted(model)
     owners = np.full(n_variables, -1) if owner is None else np.asarray(owner, dtype=np.intp)
     ladder = _ladder(chances)
-    surrogate = pilot(asked, states, owners, ladder, max(200, int(PILOT_SHARE * runs)), generator)
+    faces, explained = pilot(
+        asked, states, owners, ladder, max(200, int(PILOT_SHARE * runs)), generator
+    )
     pilots = asked.runs
-    sample = draw(components(surrogate, states, ladder, runs), surrogate, states, generator)
+    sample = draw(components(faces, states, ladder, runs), faces, states, generator)
     result = asked(sample.normals, states.failed[sample.state])
     found = curve(result, sample, states)
     rows = intervals(found, chances, states.left_out)
+    shares = _shares(rows, sample, result, states)
+    rows, unseen = _refused(chances, rows, shares, explained)
     return RareResult(
-        chances, rows, found, _shares(rows, sample, result, states), sample, result, states,
-        pilots, _warnings(chances, rows, states),
+        chances, rows, found, shares, sample, result, states, pilots,
+        [*_warnings(chances, rows, states), *unseen],
     )  # fmt: skip
 
 
@@ -194,6 +204,23 @@ def _shares(
     return divided
 
 
+def _refused(
+    chances: FloatArray, rows: list[Interval], shares: FloatArray, explained: dict[int, float]
+) -> tuple[list[Interval], list[str]]:
+    """Open the intervals of rare levels whose directions are not well enough known."""
+    known = np.array([explained.get(count, 1.0) for count in range(shares.shape[1])])
+    kept, told = [], []
+    for p, row, seen in zip(chances, rows, shares @ known, strict=True):
+        if p < RARE and row.effective >= RESOLVED and seen < EXPLAINED:
+            told.append(
+                f"the level of {p:.3g} is not resolved: the results fall in so many directions "
+                f"that those found explain {100 * seen:.0f} % of them"
+            )
+            row = row._replace(low=-np.inf, high=np.inf, low_all=-np.inf, high_all=np.inf)
+        kept.append(row)
+    return kept, told
+
+
 def _warnings(chances: FloatArray, rows: list[Interval], states: FailureStates) -> list[str]:
     found = []
     for p, row in zip(chances, rows, strict=True):
@@ -202,7 +229,7 @@ def _warnings(chances: FloatArray, rows: list[Interval], states: FailureStates) 
                 f"the level of {p:.3g} is not resolved: it rests on {row.effective:.0f} effective "
                 "runs, because the results fall in several directions or the runs are too few"
             )
-        elif not (math.isfinite(row.low_all) and math.isfinite(row.high_all)):
+        elif math.isfinite(row.low_all) != math.isfinite(row.high_all):
             found.append(f"the interval of level {p:.3g} is open: take more runs")
     if states.left_out > 1e-3 * chances.min():
         found.append(f"failure states of {states.left_out:.1e} are left out; intervals hold them")

@@ -1,4 +1,4 @@
-"""Where the rare runs lie: in each failure state one direction, and how far along it they begin.
+"""Where the rare runs lie: in each failure state a few directions, how far along they begin.
 
 Learnt from pilot runs, and used to place samples only. A poor surrogate costs runs; it cannot bias
 an estimate, because the weights of the samples are exact whatever placed them.
@@ -39,25 +39,34 @@ class Bend(NamedTuple):
         return np.clip(t + slope * (z - inside), -40.0, 40.0)
 
 
+UNREACHABLE = 40.0
+"""Position that no run gets to."""
+
+
 class Surrogate(NamedTuple):
-    """Result of a run ≈ centre − slope · t, bent; t is standard normal along the direction.
+    """One face: result of a run ≈ centre − slope · t, bent; t is standard normal along a direction.
+
+    A result that falls in several directions has several faces, and is the least of what they say.
 
     Attributes
     ----------
     centre : (states,)
-        Result with every variable at its median.
+        Result with every variable at its median, as this face sees it.
     direction : (states, variables)
         Unit vector that points where the result becomes worse (smaller).
     slope : (states,)
         Fall of the result per unit of t, > 0.
     bend : list of Bend
         One for each number of failed units.
+    is_there : (states,) bool
+        Whether the state has this face.
     """
 
     centre: FloatArray
     direction: FloatArray
     slope: FloatArray
     bend: list[Bend]
+    is_there: NDArray[np.bool_]
 
     def beginnings(self, states: FailureStates, bounds: FloatArray) -> FloatArray:
         """Return t beyond which a run is worse than each bound, (bounds, states)."""
@@ -66,22 +75,29 @@ class Surrogate(NamedTuple):
         for count, bend in enumerate(self.bend):
             here = states.n_failed == count
             t[:, here] = bend(z[:, here])
-        return t
+        return np.where(self.is_there, t, UNREACHABLE)
 
-    def probability(self, states: FailureStates, bounds: FloatArray) -> FloatArray:
-        """Return the probability of a worse result than each bound, as the surrogate sees it."""
-        tails: FloatArray = ndtr(-self.beginnings(states, bounds))
-        return tails @ states.weight
 
-    def bounds(self, states: FailureStates, probabilities: FloatArray) -> FloatArray:
-        """Return the results that are undercut with the given probabilities (by bisection)."""
-        low = np.full(len(probabilities), np.min(self.centre - 45.0 * self.slope))
-        high = np.full(len(probabilities), np.max(self.centre + 45.0 * self.slope))
-        for _ in range(100):
-            middle = 0.5 * (low + high)
-            above = self.probability(states, middle) > probabilities
-            high, low = np.where(above, middle, high), np.where(above, low, middle)
-        return 0.5 * (low + high)
+def probability(faces: list[Surrogate], states: FailureStates, bounds: FloatArray) -> FloatArray:
+    """Return the probability of a worse result than each bound, as the faces see it together."""
+    tails: FloatArray = np.sum([ndtr(-face.beginnings(states, bounds)) for face in faces], axis=0)
+    seen: FloatArray = np.minimum(tails, 1.0) @ states.weight
+    return seen
+
+
+def bounds_of(
+    faces: list[Surrogate], states: FailureStates, probabilities: FloatArray
+) -> FloatArray:
+    """Return the results that are undercut with the given probabilities (by bisection)."""
+    ends = [(face.centre - 45.0 * face.slope, face.centre + 45.0 * face.slope) for face in faces]
+    low = np.full(len(probabilities), min(low.min() for low, _ in ends))
+    high = np.full(len(probabilities), max(high.max() for _, high in ends))
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        above = probability(faces, states, middle) > probabilities
+        high, low = np.where(above, middle, high), np.where(above, low, middle)
+    bounds: FloatArray = 0.5 * (low + high)
+    return bounds
 
 
 def fit_direction(
@@ -115,12 +131,12 @@ def fit_bend(z: FloatArray, t: FloatArray) -> Bend:
 
 
 def surrogate_of(
-    states: FailureStates, centre: FloatArray, gradients: FloatArray, bend: list[Bend]
+    centre: FloatArray, gradients: FloatArray, bend: list[Bend], is_there: NDArray[np.bool_]
 ) -> Surrogate:
-    """Return the surrogate of gradients (states, variables) of the result."""
+    """Return the face of gradients (states, variables) of the result."""
     slope = np.linalg.norm(gradients, axis=1)
     direction = np.zeros_like(gradients)
     moving = slope > LEAST_SLOPE
     direction[moving] = -gradients[moving] / slope[moving, None]
     direction[~moving, 0] = 1.0
-    return Surrogate(centre, direction, np.maximum(slope, LEAST_SLOPE), bend)
+    return Surrogate(centre, direction, np.maximum(slope, LEAST_SLOPE), bend, is_there)

@@ -8,102 +8,29 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 from pydantic import Field, ValidationError, model_validator
-from pydantic_core import PydanticCustomError
 
 from railgrip import data
-from railgrip.campaign.safety.marginals import NEEDS, problems_of_numbers
+from railgrip.campaign.campaign_file import Correlation, read_sample
+from railgrip.campaign.distribution_kinds import Empirical
+from railgrip.campaign.safety.variable import OF_PLANT, Variable
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.io.toml_file import read_toml
 from railgrip.scenario import Scenario, Train
 from railgrip.scenario.base import Model, Text, refuse
+from railgrip.scenario.brake_control import BrakeControlLayer
 from railgrip.scenario.explain import problems_of
 from railgrip.scenario.files import is_path
-from railgrip.scenario.quantity import Unit
 from railgrip.scenario.reference import Reference
-from railgrip.scenario.units import RATIO, Acceleration, Dimensionless, Speed
-
-QUANTITIES: dict[str, Unit] = {
-    "cylinder_pressure": Unit("Pa", "bar", 1e-5, "3.8 bar"),
-    "rigging_efficiency": RATIO,
-    "pad_friction": RATIO,
-    "fill_time": Unit("s", "s", 1.0, "4 s"),
-    "dead_time": Unit("s", "s", 1.0, "0.5 s"),
-    "wheel_radius": Unit("m", "m", 1.0, "0.46 m"),
-    "mass": Unit("kg", "kg", 1.0, "44 t"),
-    "resistance": RATIO,
-}
-"""What may scatter, and the unit of its values and differences."""
-OF_TRAIN = ("mass", "resistance")
-"""Quantities that the whole train has once."""
-ONLY_FACTORS = ("mass", "resistance", "pad_friction")
-"""Quantities that have no one value in the train's file."""
-
-Place = Literal["train", "vehicle", "bogie", "axle"]
-Number = float | str | None
-
-
-class Variable(Model):
-    """One quantity that scatters."""
-
-    quantity: Text = Field(description=f"One of: {', '.join(QUANTITIES)}.")
-    per: Place = Field(default="axle", description="Who has a value of its own.")
-    means: Literal["factor", "difference", "value"] = Field(
-        default="factor", description="How the number acts on the train's own."
-    )
-    distribution: Text = Field(description=f"One of: {', '.join(NEEDS)}.")
-    mean: Number = Field(default=None, description="Of normal and lognormal.")
-    deviation: Number = Field(default=None, description="Standard deviation.")
-    low: Number = Field(default=None, description="Least; cuts a normal distribution off.")
-    mode: Number = Field(default=None, description="Most frequent; triangular.")
-    high: Number = Field(default=None, description="Greatest; cuts a normal distribution off.")
-    brakes: tuple[Text, ...] = Field(default=(), description="Only these; absent: all.")
-    source: Text = Field(min_length=1, description="Where the numbers come from.")
-
-    @model_validator(mode="after")
-    def _is_possible(self) -> Variable:
-        problems = []
-        if self.quantity not in QUANTITIES:
-            problems.append(unknown_name("quantity", "quantity", self.quantity, QUANTITIES))
-        if self.distribution not in NEEDS:
-            where = "distribution"
-            problems.append(unknown_name(where, "distribution", self.distribution, NEEDS))
-        refuse(problems)
-        if self.quantity in OF_TRAIN and (self.per != "train" or self.brakes):
-            problems.append(Problem("per", f"must be 'train' for {self.quantity}", got=self.per))
-        if self.quantity in ONLY_FACTORS and self.means != "factor":
-            what = f"must be 'factor' for {self.quantity}"
-            problems.append(Problem("means", what, got=self.means))
-        given, faults = self._read()
-        problems += faults or problems_of_numbers(self.distribution, given)
-        refuse(problems)
-        return self
-
-    @property
-    def numbers(self) -> dict[str, float]:
-        """The numbers of the distribution, SI."""
-        return self._read()[0]
-
-    def _read(self) -> tuple[dict[str, float], list[Problem]]:
-        unit = RATIO if self.means == "factor" else QUANTITIES[self.quantity]
-        given, faults = {}, []
-        for name in ("mean", "deviation", "low", "mode", "high"):
-            text = getattr(self, name)
-            if text is None:
-                continue
-            try:
-                given[name] = unit.read(text)
-            except PydanticCustomError as error:
-                told = error.context or {}
-                faults.append(
-                    Problem(name, str(told.get("what")), str(text), str(told.get("allowed", "")))
-                )
-        return given, faults
+from railgrip.scenario.units import Acceleration, Dimensionless, Speed
 
 
 class Failure(Model):
-    """Units that may have failed: the brake of an axle, a bogie or a vehicle gives nothing."""
+    """Units that may have failed: the brake of an axle, a bogie or a vehicle gives nothing.
 
-    per: Literal["vehicle", "bogie", "axle"] = Field(description="What fails as one.")
+    Where the brake control fails, the brakes work as without it.
+    """
+
+    per: Literal["vehicle", "bogie", "axle", "control"] = Field(description="What fails as one.")
     latent: Dimensionless = Field(default=0.0, ge=0, le=1, description="Failed unnoticed before.")
     on_demand: Dimensionless = Field(default=0.0, ge=0, le=1, description="Fails when it is asked.")
     brakes: tuple[Text, ...] = Field(default=(), description="Only these; absent: all.")
@@ -140,8 +67,14 @@ class SafetyCase(Model):
     runs: int = Field(default=20_000, ge=500, le=100_000_000, description="For each speed step.")
     seed: int = Field(default=1, ge=0, lt=2**63, description="Of all random numbers.")
     variables: tuple[Variable, ...] = Field(min_length=1, max_length=50, description="Scatter.")
+    correlation: tuple[Correlation, ...] = Field(
+        default=(), max_length=20, description="Which of them go together."
+    )
     failures: tuple[Failure, ...] = Field(default=(), max_length=10, description="Failed units.")
     wet: Wet | None = Field(default=None, description="Absent: K_wet is left out, taken as 1.")
+    brake_control: BrakeControlLayer | None = Field(
+        default=None, description="Friction estimate, deceleration controller; with and without."
+    )
     available_adhesion_weight: Dimensionless = Field(
         default=0.0, ge=0, le=1, description="M_NVAVADH of ETCS."
     )
@@ -169,8 +102,58 @@ class SafetyCase(Model):
                     for name in row
                     if name not in self.train.brakes
                 ]
-        refuse(problems)
+        refuse([*problems, *self._needs_of_plant(), *self._impossible_correlations()])
         return self
+
+    def _needs_of_plant(self) -> list[Problem]:
+        """Return what only the plant knows and what only brake control has."""
+        problems = []
+        cure = "method = 'plant'"
+        if self.method == "formula":
+            problems += [
+                Problem(f"variables[{i}].quantity", "is unknown to the formula",
+                        got=row.quantity, cure=cure)
+                for i, row in enumerate(self.variables) if row.quantity in OF_PLANT
+            ]  # fmt: skip
+            if self.brake_control is not None:
+                problems.append(Problem("brake_control", "is unknown to the formula", cure=cure))
+        if self.brake_control is None:
+            problems += [
+                Problem(f"failures[{i}].per", "fails a brake control that is not there",
+                        got="control", cure="a table brake_control")
+                for i, row in enumerate(self.failures) if row.per == "control"
+            ]  # fmt: skip
+        return problems
+
+    def _impossible_correlations(self) -> list[Problem]:
+        """Return what is wrong with the names: variables that go together sit in one place."""
+        labels = [row.label for row in self.variables]
+        problems, seen = [], set[str]()
+        for i, one in enumerate(self.correlation):
+            where = f"correlation[{i}].variables"
+            unknown = [name for name in one.variables if name not in labels]
+            problems += [unknown_name(where, "variable", name, labels) for name in unknown]
+            if unknown:
+                continue
+            twice = [name for name in one.variables if labels.count(name) > 1]
+            problems += [
+                Problem(where, f"'{name}' means several variables", cure="give each a name")
+                for name in twice
+            ]
+            again = [
+                name for name in one.variables if name in seen or one.variables.count(name) > 1
+            ]
+            problems += [Problem(where, f"'{name}' is correlated twice") for name in again]
+            rows = [self.variables[labels.index(name)] for name in one.variables]
+            if len({(row.per, row.brakes) for row in rows}) > 1:
+                problems.append(Problem(where, "must have the same 'per' and 'brakes'"))
+            seen.update(one.variables)
+        return problems
+
+    def without_control(self) -> SafetyCase:
+        """Return the same case without its brake control."""
+        failures = tuple(row for row in self.failures if row.per != "control")
+        return self.model_copy(update={"brake_control": None, "failures": failures})
 
     def scenario(self, speed: float, *, wet: bool = False) -> Scenario:
         """Return the stop from a speed: dry without slide protection, or wet with it."""
@@ -183,6 +166,7 @@ class SafetyCase(Model):
                 "rail": {"condition": rail},
                 "run": {"speed": speed, "demand": "emergency"},
                 "wsp": {"controller": controller},
+                "brake_control": self.brake_control,
             }
         )
 
@@ -202,9 +186,18 @@ def read_safety_case(path: str | os.PathLike[str]) -> SafetyCase:
     """
     table = read_toml(path)
     try:
-        return SafetyCase.model_validate(table)
+        case = SafetyCase.model_validate(table)
     except ValidationError as error:
         raise RailgripError(problems_of(error, SafetyCase)) from None
+    folder = Path(path).parent
+    rows = []
+    for i, row in enumerate(case.variables):
+        if row.file:
+            named = Empirical(file=row.file, column=row.column)
+            values = read_sample(named, folder, f"variables[{i}]").values
+            row = row.model_copy(update={"values": values})
+        rows.append(row)
+    return case.model_copy(update={"variables": tuple(rows)})
 
 
 def find_case(word: str) -> Path:

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from railgrip.campaign.rare.failures import FailureStates, failure_states
-from railgrip.campaign.safety.case import OF_TRAIN, SafetyCase, Variable
-from railgrip.campaign.safety.marginals import value
+from railgrip.campaign.safety.case import SafetyCase
+from railgrip.campaign.safety.marginals import of_sample, value
+from railgrip.campaign.safety.variable import OF_TRAIN, Variable
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine import layout as at
 from railgrip.engine.lower_train import lower_train, nominal_friction
@@ -28,7 +29,8 @@ class Brakes(NamedTuple):
     pressure : full cylinder pressure; slope, spring, offset : clamp force = slope p + spring +
         offset, the first two through the rigging
     friction, radius, lever : pad friction, wheel radius, mean radius of rubbing
-    fill, dead : fill time and dead time; rotating : rotating mass
+    fill, dead : fill time and dead time
+    temperature : of the discs when the brake is applied, °C
     """
 
     axle: NDArray[np.intp]
@@ -43,6 +45,7 @@ class Brakes(NamedTuple):
     lever: FloatArray
     fill: FloatArray
     dead: FloatArray
+    temperature: FloatArray
 
 
 class Trains(NamedTuple):
@@ -57,6 +60,15 @@ class Trains(NamedTuple):
     mass: FloatArray
     resistance: FloatArray
     works: BoolArray
+    disc_temperature: FloatArray
+    temperature_error: FloatArray
+    deceleration_scale: FloatArray
+    deceleration_offset: FloatArray
+    is_controlled: BoolArray
+
+    def chosen(self, runs: BoolArray) -> Trains:
+        """Return only some of the trains."""
+        return Trains(*(numbers[runs] for numbers in self))  # type: ignore[arg-type]
 
 
 class Layout(NamedTuple):
@@ -73,6 +85,10 @@ class Layout(NamedTuple):
         How many normal numbers.
     fails : (units, braked axles) bool
         Which brakes a unit takes with it.
+    together : list of (columns, factor)
+        Normal numbers that are correlated, (places, variables), and Cholesky's factor.
+    control : int
+        The unit that is the brake control, or −1.
     states : FailureStates
         The states of the units.
     owner : list of int
@@ -85,6 +101,8 @@ class Layout(NamedTuple):
     fails: BoolArray
     states: FailureStates
     owner: list[int]
+    control: int
+    together: list[tuple[NDArray[np.intp], FloatArray]]
 
 
 def layout_of(case: SafetyCase) -> Layout:
@@ -96,6 +114,7 @@ def layout_of(case: SafetyCase) -> Layout:
         "vehicle": [place.vehicle for place in places],
         "bogie": [(place.vehicle, place.bogie) for place in places],
         "axle": [int(i) for i in brakes.axle],
+        "control": [0 for _ in places],
     }
     variables, n = [], 0
     for variable in case.variables:
@@ -108,7 +127,32 @@ def layout_of(case: SafetyCase) -> Layout:
         variables.append((variable, column))
     fails, chances, kinds = _units(case, brakes, keys)
     states = failure_states(chances, kinds)
-    return Layout(brakes, variables, n, fails, states, _owners(variables, n, fails))
+    takes = fails.any(axis=1)
+    control = -1 if takes.all() else int(np.flatnonzero(~takes)[0])
+    if control >= 0:
+        states = _apart(states, control)
+    together = _together(case, variables)
+    owner = _owners(variables, n, fails)
+    for columns, _ in together:
+        for place in columns:
+            # a number of one of them acts through the others too
+            if len({owner[column] for column in place}) > 1:
+                for column in place:
+                    owner[column] = -1
+    return Layout(brakes, variables, n, fails, states, owner, control, together)
+
+
+def _together(
+    case: SafetyCase, variables: list[tuple[Variable, NDArray[np.intp]]]
+) -> list[tuple[NDArray[np.intp], FloatArray]]:
+    own = {variable.label: np.unique(column[column >= 0]) for variable, column in variables}
+    return [
+        (
+            np.column_stack([own[name] for name in one.variables]),
+            np.linalg.cholesky(np.array(one.matrix)),
+        )
+        for one in case.correlation
+    ]
 
 
 def _brakes(case: SafetyCase) -> Brakes:
@@ -129,8 +173,9 @@ def _brakes(case: SafetyCase) -> Brakes:
         lever = brake.friction_radius if brake.friction_radius is not None else radius
         fill = 3.0 * brake.lag if brake.fill == "lag" else brake.fill_time
         dead = row[at.DEMAND_DELAY - at.FIRST_PARAMETER]
+        hot = row[at.START_TEMPERATURE - at.FIRST_PARAMETER]
         rows.append((i, place.axle.brake, pressure, clamp, spring, offset, brake.rigging_efficiency,
-                     friction, radius, lever, fill, dead))  # fmt: skip
+                     friction, radius, lever, fill, dead, hot))  # fmt: skip
     if not rows:
         raise RailgripError(Problem("train", "has no friction brake", cure="give axles a brake"))
     columns = list(zip(*rows, strict=True))
@@ -152,7 +197,7 @@ def _units(
                 members.setdefault(key, []).append(i)
         for axles in members.values():
             row = np.zeros(len(brakes.axle), dtype=bool)
-            row[axles] = True
+            row[axles] = failure.per != "control"
             rows.append(row)
             chances.append(failure.probability)
             kinds.append((kind, *sorted(brakes.name[i] for i in axles)))
@@ -162,6 +207,16 @@ def _units(
     overlap = bool((fails.sum(axis=0) > 1).any())
     tied = any(v.per in ("vehicle", "bogie") for v in case.variables)
     return fails, chances, None if overlap or tied else kinds
+
+
+def _apart(states: FailureStates, control: int) -> FailureStates:
+    """Return the states with those of a failed control counted beyond the others.
+
+    Without its control the train brakes so differently that runs must be sought elsewhere.
+    """
+    fails = states.failed[:, control]
+    beyond = int(states.n_failed[~fails].max())
+    return states._replace(n_failed=np.where(fails, beyond + states.n_failed, states.n_failed))
 
 
 def _owners(
@@ -199,13 +254,25 @@ def trains(layout: Layout, normals: FloatArray, failed: BoolArray) -> Trains:
         "fill_time": np.broadcast_to(brakes.fill, shape).copy(),
         "dead_time": np.broadcast_to(brakes.dead, shape).copy(),
         "wheel_radius": np.broadcast_to(brakes.radius, shape).copy(),
+        "disc_temperature": np.broadcast_to(brakes.temperature, shape).copy(),
+        "temperature_error": np.zeros(shape),
         "mass": np.ones((runs, 1)),
         "resistance": np.ones((runs, 1)),
+        "deceleration_scale": np.ones((runs, 1)),
+        "deceleration_offset": np.zeros((runs, 1)),
     }
+    if layout.together:
+        normals = normals.copy()
+        for columns, factor in layout.together:
+            normals[:, columns] = normals[:, columns] @ factor.T
     for variable, column in layout.variables:
         target = found[variable.quantity]
         acts = np.flatnonzero(column >= 0)[: 1 if variable.quantity in OF_TRAIN else None]
-        drawn = value(variable.distribution, variable.numbers, normals[:, column[acts]])
+        scores = normals[:, column[acts]]
+        if variable.distribution == "empirical":
+            drawn = of_sample(variable.sample, scores)
+        else:
+            drawn = value(variable.distribution, variable.numbers, scores)
         here = np.arange(target.shape[1]) if variable.quantity in OF_TRAIN else acts
         if variable.means == "value":
             target[:, here] = drawn
@@ -214,9 +281,12 @@ def trains(layout: Layout, normals: FloatArray, failed: BoolArray) -> Trains:
         else:
             target[:, here] *= drawn
     works = ~(failed @ layout.fails) if len(layout.fails) else np.ones(shape, dtype=bool)
+    has_control = layout.control >= 0
+    is_controlled = ~failed[:, layout.control] if has_control else np.ones(runs, dtype=bool)
     return Trains(
         found["cylinder_pressure"], found["rigging_efficiency"] / brakes.efficiency,
         found["pad_friction"], found["wheel_radius"], np.maximum(found["fill_time"], 0.02),
         np.maximum(found["dead_time"], 0.0), found["mass"][:, 0], found["resistance"][:, 0],
-        works,
+        works, found["disc_temperature"], found["temperature_error"],
+        found["deceleration_scale"][:, 0], found["deceleration_offset"][:, 0], is_controlled,
     )  # fmt: skip

@@ -55,15 +55,20 @@ class Step(NamedTuple):
 
 
 class SafetyFactors(NamedTuple):
-    """The whole answer to a case."""
+    """The whole answer to a case; ``without`` is the one without its brake control."""
 
     case: SafetyCase
     layout: Layout
     steps: list[Step]
+    without: SafetyFactors | None = None
 
 
 def safety_factors(
-    case: SafetyCase, *, threads: int = 1, progress: Callable[[str], None] | None = None
+    case: SafetyCase,
+    *,
+    threads: int = 1,
+    progress: Callable[[str], None] | None = None,
+    without: bool = True,
 ) -> SafetyFactors:
     """Return K_dry_rst, K_wet_rst and nominal decelerations of a case.
 
@@ -75,6 +80,8 @@ def safety_factors(
         Threads for runs of the plant.
     progress : callable, optional
         Called with a sentence before each part.
+    without : bool
+        Whether a case with brake control is also answered without it.
 
     Notes
     -----
@@ -89,6 +96,10 @@ def safety_factors(
     .. [1] UNISIG SUBSET-026 §3.13 (K_dry_rst, K_wet_rst, A_brake_safe).
     .. [2] UNISIG SUBSET-040 §4.4.1.5 (deceleration distance).
     """
+    bare = None
+    if without and case.brake_control is not None:
+        told = None if progress is None else (lambda part: progress(f"{part}, without control"))
+        bare = safety_factors(case.without_control(), threads=threads, progress=told)
     layout = layout_of(case)
     steps: list[Step] = []
     before = (0.0, 0.0)
@@ -116,7 +127,7 @@ def safety_factors(
         mean = (speed**2 - before[0] ** 2) / (2.0 * (braking - before[1]))
         steps.append(Step(speed, distance, response, mean, dry, wet))
         before = (speed, braking)
-    return SafetyFactors(case, layout, steps)
+    return SafetyFactors(case, layout, steps, bare)
 
 
 def dry_factor(
@@ -199,8 +210,29 @@ def safe_distance(found: SafetyFactors, level: int) -> list[float]:
     return rows
 
 
+def warnings(found: SafetyFactors) -> list[str]:
+    """Return what a reader must know of the samples, each with its speed."""
+    told = [
+        f"{step.speed * 3.6:.4g} km/h: {one}" for step in found.steps for one in step.dry.warnings
+    ]
+    if found.without is not None:
+        told += [f"without brake control, {one}" for one in warnings(found.without)]
+    return told
+
+
 def as_table(found: SafetyFactors) -> list[dict[str, Any]]:
-    """Return one row for each step and level, SI; what JSON and CSV hold."""
+    """Return one row for each step and level, SI; what JSON and CSV hold.
+
+    With brake control, columns that begin with ``without_control_`` say the same without it.
+    """
+    rows = _rows(found)
+    if found.without is not None:
+        for row, bare in zip(rows, _rows(found.without), strict=True):
+            row |= {f"without_control_{name}": bare[name] for name in list(bare)[2:]}
+    return rows
+
+
+def _rows(found: SafetyFactors) -> list[dict[str, Any]]:
     decelerations = [safe_deceleration(found, level) for level in EBCL]
     distances = [safe_distance(found, level) for level in EBCL]
     rows = []
@@ -221,6 +253,7 @@ def as_table(found: SafetyFactors) -> list[dict[str, Any]]:
                     "k_wet_low": None if step.wet is None else step.wet.low,
                     "k_wet_high": None if step.wet is None else step.wet.high,
                     "a_brake_emergency": step.emergency_deceleration,
+                    "build_up_time": step.build_up_time,
                     "a_brake_safe": decelerations[level][number],
                     "stopping_distance_safe": distances[level][number],
                 }

@@ -90,5 +90,6 @@ def nominal_trains(layout: Layout) -> Trains:
     one = np.ones((1, len(b.axle)))
     return Trains(
         b.pressure * one, one, one.copy(), b.radius * one, b.fill * one, b.dead * one,
-        np.ones(1), np.ones(1), one.astype(bool),
+        np.ones(1), np.ones(1), one.astype(bool), b.temperature * one, 0.0 * one,
+        np.ones(1), np.zeros(1), np.ones(1, dtype=bool),
     )  # fmt: skip

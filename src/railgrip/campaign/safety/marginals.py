@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
 
+from railgrip.campaign.distribution_kinds import Empirical
 from railgrip.core.errors import Problem
 
 FloatArray = NDArray[np.float64]
@@ -23,6 +24,7 @@ NEEDS: Final[dict[str, tuple[str, ...]]] = {
     "lognormal": ("mean", "deviation"),
     "uniform": ("low", "high"),
     "triangular": ("low", "mode", "high"),
+    "empirical": (),
 }
 """Distribution → the numbers it needs; a normal one may also be cut off at low and high."""
 
@@ -55,6 +57,21 @@ def problems_of_numbers(kind: str, given: dict[str, float]) -> list[Problem]:
         if inside < 1e-6:
             found.append(Problem("low", "cuts off nearly everything", got=f"{inside:.1e} is left"))
     return found
+
+
+def of_sample(sample: tuple[float, ...], normals: FloatArray) -> FloatArray:
+    """Return the values of a measured sample at standard normal numbers.
+
+    Between the sorted values linearly; beyond the least and the greatest there is nothing, however
+    rare: what was never measured does not happen.
+
+    Examples
+    --------
+    >>> of_sample((1.0, 3.0, 2.0), np.array([0.0, -9.0])).tolist()
+    [2.0, 1.0]
+    """
+    ordered: FloatArray = Empirical(values=sample).ppf(ndtr(normals))
+    return ordered
 
 
 def value(kind: str, given: dict[str, float], normals: FloatArray) -> FloatArray:

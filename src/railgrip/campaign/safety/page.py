@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from html import escape
-from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
@@ -18,19 +16,18 @@ from railgrip.campaign.safety.factors import (
     Step,
     safe_deceleration,
     safe_distance,
+    warnings,
 )
 from railgrip.report.safety_chart import convergence_chart, exceedance_chart
+from railgrip.report.static_page import static_page, table
 
 STYLE = """
-.scroll { margin-bottom: 1rem; }
 svg { width: 100%; max-width: 720px; height: auto; font: 12px system-ui, sans-serif; }
 svg text { fill: var(--ink); } svg .end { text-anchor: end; } svg .mid { text-anchor: middle; }
 svg .mark { text-anchor: end; font-weight: 600; } svg tspan { font-size: 9px; }
 svg .grid { stroke: var(--grid); }
 svg .curve { stroke: var(--accent); fill: none; stroke-width: 2; }
 svg .band { fill: var(--accent); opacity: .3; } svg .dot { fill: var(--ink); }
-.notice { border-left: 4px solid var(--bad); padding: .3rem .8rem; background: var(--card); }
-td.text, th.text { text-align: left; white-space: normal; }
 """
 
 ASSUMPTIONS = (
@@ -41,8 +38,10 @@ ASSUMPTIONS = (
     "with the confidence of the level. K_wet_rst(V): mean deceleration distance dry over wet, the "
     "same trains on both, none failed.",
     "A_brake_safe = K_dry (K_wet + M_NVAVADH (1 − K_wet)) A_brake_emergency (SUBSET-026 §3.13).",
-    "All quantities scatter independently unless 'per' says that axles share one; units fail "
-    "independently. A failed unit gives no brake force and nothing takes its place.",
+    "Quantities scatter independently unless 'per' or a correlation ties them; units fail "
+    "independently. A failed unit gives no brake force, nobody notices, and nothing takes its "
+    "place but what a deceleration controller asks of the others. Where the brake control itself "
+    "fails, the brakes work as without it.",
     "Failed units are enumerated with exact probabilities. The rest is sampled beyond where each "
     "level begins, along a direction that pilot runs found, and weighted exactly (balance "
     "heuristic). Pilots are not counted.",
@@ -55,7 +54,6 @@ def page(found: SafetyFactors) -> str:
     """Return the page as text: self-contained, without scripts, light and dark."""
     case = found.case
     title = case.title or case.train.title or "Safety case"
-    look = (files("railgrip.report") / "template" / "page.css").read_text(encoding="utf-8")
     body = [
         f"<h1>K_dry_rst and K_wet_rst: {escape(title)}</h1>",
         '<p class="notice"><strong>Simulation, not an approval.</strong> Every figure follows from '
@@ -70,6 +68,7 @@ def page(found: SafetyFactors) -> str:
         _wet_table(found),
         "<h2>Safe deceleration and stopping distance</h2>",
         _safe_table(found),
+        *_worth(found),
         "<h2>What was assumed</h2>",
         "<ol>" + "".join(f"<li>{escape(one)}</li>" for one in ASSUMPTIONS) + "</ol>",
         _variables(found),
@@ -77,19 +76,11 @@ def page(found: SafetyFactors) -> str:
         "<h2>The sample</h2>",
         *(_sample(step) for step in found.steps),
         "<h2>Which failed units make which level</h2>",
-        *(_shares(step) for step in found.steps),
+        *(_shares(found, step) for step in found.steps),
+        '<footer><p class="small">Simulation, not an approval: no figure here replaces a test '
+        "or an assessment.</p></footer>",
     ]
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; '
-        "style-src 'unsafe-inline'; img-src data:\">\n"
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta name="color-scheme" content="light dark">\n<link rel="icon" href="data:,">\n'
-        f"<title>{escape(title)}</title>\n<style>{look}{STYLE}</style>\n</head>\n<body>\n"
-        + "\n".join(body)
-        + '\n<footer><p class="small">Simulation, not an approval: no figure here replaces a test '
-        "or an assessment.</p></footer>\n</body>\n</html>\n"
-    )
+    return static_page(title, body, STYLE)
 
 
 def write_page(found: SafetyFactors, path: Path) -> Path:
@@ -105,20 +96,6 @@ def _kmh(speed: float) -> str:
     return f"{speed * 3.6:.4g} km/h"
 
 
-def _table(
-    caption: str, heads: Iterable[str], rows: Iterable[Iterable[str]], text: str = ""
-) -> str:
-    head = "".join(f'<th scope="col"{text}>{escape(one)}</th>' for one in heads)
-    lines = []
-    for first, *rest in rows:
-        cells = "".join(f"<td{text}>{escape(cell)}</td>" for cell in rest)
-        lines.append(f'<tr><th scope="row">{escape(first)}</th>{cells}</tr>')
-    return (
-        f'<div class="scroll"><table><caption>{escape(caption)}</caption><thead><tr>{head}</tr>'
-        f"</thead><tbody>{''.join(lines)}</tbody></table></div>"
-    )
-
-
 def _between(low: float, high: float) -> str:
     if not (math.isfinite(low) and math.isfinite(high)):
         return "not resolved"
@@ -132,7 +109,7 @@ def _dry_table(step: Step) -> str:
         rows.append([f"EBCL {level}", confidence, f"{k.value:.4f}", _between(k.low, k.high),
                      _between(k.low_all, k.high_all), f"{k.effective:.0f}"])  # fmt: skip
     heads = ["", "confidence", "K_dry_rst", "95 %", "95 %, all ten at once", "effective runs"]
-    return _table(f"From {_kmh(step.speed)}", heads, rows)
+    return table(heads, rows, f"From {_kmh(step.speed)}")
 
 
 def _wet_table(found: SafetyFactors) -> str:
@@ -145,7 +122,7 @@ def _wet_table(found: SafetyFactors) -> str:
         return "<p>Not asked; taken as 1.</p>"
     wet = found.case.wet
     caption = f"Rail condition {wet.condition}, controller {wet.controller}, stepped in time"
-    return _table(caption, ["from", "K_wet_rst", "95 %", "least of all stops", "stops"], rows)
+    return table(["from", "K_wet_rst", "95 %", "least of all stops", "stops"], rows, caption)
 
 
 def _safe_table(found: SafetyFactors) -> str:
@@ -161,7 +138,49 @@ def _safe_table(found: SafetyFactors) -> str:
         "A_brake_safe up to each speed, and the stopping distance with the nominal build-up time; "
         f"M_NVAVADH {found.case.available_adhesion_weight:g}"
     )
-    return _table(caption, heads, rows)
+    return table(heads, rows, caption)
+
+
+def _worth(found: SafetyFactors) -> list[str]:
+    """Return what the brake control is worth, level by level."""
+    without = found.without
+    if without is None:
+        return []
+    parts = [
+        "<h2>What brake control is worth</h2>",
+        "<p>The same train, scatter and failed brakes, without its friction estimate and "
+        "deceleration controller. Each K refers to its own nominal stop, so compare decelerations "
+        "and distances.</p>",
+    ]
+    heads = ["", "K_dry_rst with", "without", "A_brake_safe with, m/s²", "without",
+             "safe stop with, m", "without", "shorter by"]  # fmt: skip
+    for number, (own, bare) in enumerate(zip(found.steps, without.steps, strict=True)):
+        rows = []
+        for level in EBCL:
+            pair = [(safe_deceleration(one, level)[number], safe_distance(one, level)[number])
+                    for one in (found, without)]  # fmt: skip
+            rows.append([
+                f"EBCL {level}", f"{own.dry.quantile[level].value:.4f}",
+                f"{bare.dry.quantile[level].value:.4f}", f"{pair[0][0]:.3f}", f"{pair[1][0]:.3f}",
+                f"{pair[0][1]:.0f}", f"{pair[1][1]:.0f}",
+                f"{100 * (1 - pair[0][1] / pair[1][1]):.1f} %",
+            ])  # fmt: skip
+        parts.append(table(heads, rows, f"From {_kmh(own.speed)}"))
+    parts += [_curve(step, f"{_kmh(step.speed)} without brake control") for step in without.steps]
+    return parts
+
+
+def _curve(step: Step, name: str) -> str:
+    dry = step.dry
+    marks = [
+        (level, k.value, p) for level, p, k in zip(EBCL, SHORTFALLS, dry.quantile, strict=True)
+    ]
+    return (
+        f"<figure><figcaption>From {name}: how probable it is to brake worse (EBCL marked), with "
+        "its 95 % band</figcaption>"
+        + exceedance_chart(dry.curve.bound, dry.curve.probability, dry.curve.error, marks)
+        + "</figure>"
+    )
 
 
 def _variables(found: SafetyFactors) -> str:
@@ -170,10 +189,25 @@ def _variables(found: SafetyFactors) -> str:
         numbers = ", ".join(f"{name} {getattr(one, name)}" for name in
                             ("mean", "deviation", "low", "mode", "high")
                             if getattr(one, name) is not None)  # fmt: skip
-        rows.append([one.quantity, one.per, one.means, one.distribution, numbers,
+        if one.values:
+            sample = one.sample
+            numbers = f"{len(sample)} values, {min(sample):g} … {max(sample):g} (SI) {one.file}"
+        rows.append([one.label, one.per, one.means, one.distribution, numbers,
                      ", ".join(one.brakes) or "all", one.source])  # fmt: skip
     heads = ["quantity", "per", "as", "distribution", "numbers", "brakes", "source"]
-    return _table("What scatters", heads, rows, ' class="text"')
+    return table(heads, rows, "What scatters", "text") + _correlations(found)
+
+
+def _correlations(found: SafetyFactors) -> str:
+    rows = [
+        [first, second, f"{one.matrix[i][j]:g}"]
+        for one in found.case.correlation
+        for i, first in enumerate(one.variables)
+        for j, second in enumerate(one.variables)
+        if i < j
+    ]
+    heads = ["", "with", "correlation of normal scores, within each place"]
+    return table(heads, rows, "What goes together (Gaussian copula)", "text") if rows else ""
 
 
 def _failures(found: SafetyFactors) -> str:
@@ -190,22 +224,17 @@ def _failures(found: SafetyFactors) -> str:
         f"What fails: {len(found.layout.fails)} units, {len(states.weight)} different states "
         f"enumerated, {states.left_out:.1e} left out and counted against the train"
     )
-    return _table(told, heads, rows, ' class="text"')
+    return table(heads, rows, told, "text")
 
 
 def _sample(step: Step) -> str:
     dry = step.dry
-    marks = [
-        (level, k.value, p) for level, p, k in zip(EBCL, SHORTFALLS, dry.quantile, strict=True)
-    ]
     stages = convergence(dry, len(EBCL) - 1)
     columns = np.array([[s.quantile.value, s.quantile.low, s.quantile.high] for s in stages])
-    name = f"From {_kmh(step.speed)}"
+    name = _kmh(step.speed)
     return (
-        f"<figure><figcaption>{name}: how probable it is to brake worse (EBCL marked), with its "
-        "95 % band</figcaption>"
-        + exceedance_chart(dry.curve.bound, dry.curve.probability, dry.curve.error, marks)
-        + f"</figure><figure><figcaption>{name}: K_dry_rst at EBCL 9 as the sample grows "
+        _curve(step, name)
+        + f"<figure><figcaption>From {name}: K_dry_rst at EBCL 9 as the sample grows "
         f"({dry.pilots} pilots besides)</figcaption>"
         + convergence_chart([s.runs for s in stages], columns[:, 0], columns[:, 1],
                             columns[:, 2], "K_dry_rst, EBCL 9")
@@ -213,14 +242,21 @@ def _sample(step: Step) -> str:
     )  # fmt: skip
 
 
-def _shares(step: Step) -> str:
-    counts = range(step.dry.share.shape[1])
+def _shares(found: SafetyFactors, step: Step) -> str:
     rows = [[f"EBCL {level}", *(f"{100 * share:.1f} %" for share in row)]
             for level, row in zip(EBCL, step.dry.share, strict=True)]  # fmt: skip
-    heads = ["", *(f"{count} failed" for count in counts)]
-    return _table(f"From {_kmh(step.speed)}: of the runs that undercut the level", heads, rows)
+    control, states = found.layout.control, found.layout.states
+    heads = [""]
+    for group in range(step.dry.share.shape[1]):
+        failed = states.failed[states.n_failed == group][:1]
+        count = int(failed.sum())
+        if control >= 0 and failed[:, control].any():
+            heads.append("control" if count == 1 else f"control and {count - 1}")
+        else:
+            heads.append(f"{count} failed")
+    told = f"From {_kmh(step.speed)}: of the runs that undercut the level"
+    return table(heads, rows, told)
 
 
 def _warnings(found: SafetyFactors) -> list[str]:
-    told = [f"{_kmh(step.speed)}: {one}" for step in found.steps for one in step.dry.warnings]
-    return [f'<p class="notice">{escape(one)}</p>' for one in told]
+    return [f'<p class="notice">{escape(one)}</p>' for one in warnings(found)]

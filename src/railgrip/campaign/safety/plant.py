@@ -15,6 +15,7 @@ from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
 from railgrip.engine.lower_train import lower_train
 from railgrip.engine.simulate import simulate
+from railgrip.scenario import Scenario
 
 FloatArray = NDArray[np.float64]
 CANNOT_STOP = (RunStatus.TIME_LIMIT, RunStatus.END_OF_TRACK)
@@ -39,13 +40,23 @@ class Plant:
     ) -> None:
         self.layout, self.speed, self.threads = layout, speed, threads
         self.scenario = case.scenario(speed, wet=wet)
+        self.uncontrolled = case.without_control().scenario(speed, wet=wet)
         self.table, _ = lower_train(self.scenario)
 
     def distance(self, trains: Trains) -> tuple[FloatArray, FloatArray]:
         """Return stopping distance m and equivalent build-up time s of each train, (runs,)."""
-        runs = len(trains.mass)
+        distance, response = np.empty(len(trains.mass)), np.empty(len(trains.mass))
+        for scenario, runs in (
+            (self.scenario, trains.is_controlled),
+            (self.uncontrolled, ~trains.is_controlled),
+        ):
+            if runs.any():
+                distance[runs], response[runs] = self._stop(scenario, trains.chosen(runs))
+        return distance, response
+
+    def _stop(self, scenario: Scenario, trains: Trains) -> tuple[FloatArray, FloatArray]:
         result = simulate(
-            self.scenario, runs=runs, variations=self.variations(trains), traces=False,
+            scenario, runs=len(trains.mass), variations=self.variations(trains), traces=False,
             threads=self.threads,
         )  # fmt: skip
         status = result.data["status"].values
@@ -70,6 +81,8 @@ class Plant:
             "RESISTANCE_CONSTANT": train[at.RESISTANCE_CONSTANT - first] * trains.resistance,
             "RESISTANCE_LINEAR": train[at.RESISTANCE_LINEAR - first] * trains.resistance,
             "RESISTANCE_QUADRATIC": train[at.RESISTANCE_QUADRATIC - first] * trains.resistance,
+            "DECELERATION_SCALE": trains.deceleration_scale,
+            "DECELERATION_OFFSET": trains.deceleration_offset,
         }
         for axle in range(len(self.table) - 1):
             load = self.table[1 + axle, at.STATIC_LOAD - first]
@@ -78,12 +91,16 @@ class Plant:
             axle, row = int(number), self.table[1 + int(number)]
             worn = trains.radius[:, i] / b.radius[i]
             lever = np.ones_like(worn) if b.lever[i] == b.radius[i] else 1.0 / worn
-            acting = trains.friction[:, i] * trains.works[:, i] * lever
             clamp = trains.efficiency[:, i]
             faster = b.fill[i] / trains.fill[:, i]
             more = trains.pressure[:, i] / b.pressure[i]
             found["WHEEL_RADIUS", axle] = trains.radius[:, i]
-            found["TREAD_PER_CLAMP", axle] = row[at.TREAD_PER_CLAMP - first] * acting
+            found["PAD_FACTOR", axle] = trains.friction[:, i] * trains.works[:, i]
+            found["TREAD_PER_CLAMP", axle] = row[at.TREAD_PER_CLAMP - first] * lever
+            if self.scenario.brake_control is not None:  # it believes the wheels to be new
+                found["BELIEVED_RATIO", axle] = lever
+            found["START_TEMPERATURE", axle] = trains.disc_temperature[:, i]
+            found["TEMPERATURE_ERROR", axle] = trains.temperature_error[:, i]
             found["RUBBING_RATIO", axle] = row[at.RUBBING_RATIO - first] * lever
             found["CLAMP_PER_PRESSURE", axle] = b.slope[i] * clamp
             found["CLAMP_OFFSET", axle] = b.spring[i] * clamp + b.offset[i]

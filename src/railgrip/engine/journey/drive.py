@@ -41,9 +41,10 @@ class DrivingLaw(NamedTuple):
     """A driving law: what to demand below the permitted speed.
 
     ``demand`` is a plain function of position, speed, parameters, state and demand. It fills
-    ``demand[0]`` with the share of the tractive effort (0 to 1), ``demand[1]`` with a deceleration
-    by the brake, m/s², and the rest with the new state; it must not change ``state``. The kernel
-    locates where a demand changes. Permitted speed and braking curve have priority over it.
+    ``demand[0]`` with the share of the tractive effort (0 to 1, or `HOLD` of `forces`: as much as
+    holds the speed), ``demand[1]`` with a deceleration by the brake, m/s², and the rest with the
+    new state; it must not change ``state``. The kernel locates where a demand changes. Permitted
+    speed and braking curve have priority over it.
     """
 
     demand: Callable[..., None]
@@ -155,6 +156,18 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
     return _run(journey, np.concatenate(traces), np.array(times), totals)
 
 
+def legs(journey: Journey) -> list[Leg]:
+    """Return what a driving law is told of each leg; the journey has a deceleration."""
+    deceleration, stops = journey.deceleration(), journey.stops()
+    assert deceleration is not None
+    found = []
+    for k, (here, there) in enumerate(pairwise(stops)):
+        final = journey.passing_speed if k == len(stops) - 2 else 0.0
+        lid = ceiling(journey, here.at, there.at, final, deceleration)
+        found.append(_leg(lid, deceleration, final == 0.0))
+    return found
+
+
 def _leg(lid: tuple[Array, Array, Array], deceleration: float, is_stop: bool) -> Leg:
     position, square, slope = lid
     feet = np.maximum(square + slope * np.diff(position), 0.0)
@@ -182,7 +195,8 @@ def _check(status: int, end: Array, deceleration: float) -> None:
                 "",
                 "the train cannot climb here and stalls",
                 got=f"a stand at {place}",
-                cure="more tractive effort, less mass, or a start with a run-up",
+                cure="more tractive effort, less mass, a start with a run-up, or a greater "
+                "coasting.least_speed",
             )
         )
     if status == kernel.TOO_WEAK:

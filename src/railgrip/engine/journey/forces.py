@@ -34,6 +34,8 @@ class TrainArrays(NamedTuple):
     map_value: Array
 
 
+HOLD = -1.0
+"""The share of the effort that means: as much as holds the speed."""
 UNLIMITED = 1e12
 """Stands for a force or an acceleration that nothing limits."""
 

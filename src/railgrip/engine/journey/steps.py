@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from railgrip.engine.journey.forces import (
+    HOLD,
     efficiency,
     effort_at,
     piece_at,
@@ -29,8 +30,9 @@ def forces(
 ) -> float:  # fmt: skip
     """Fill traction and brake force of the free motion; return the acceleration, m/s²."""
     resists = resistance(train, slope, drag, speed)
-    wanted = max(train.dynamic_mass * train.max_acceleration + resists, 0.0)
-    out[0] = min(share * effort_at(train.effort, piece, speed), wanted)
+    gain = train.dynamic_mass * train.max_acceleration if share != HOLD else 0.0
+    wanted = max(gain + resists, 0.0)
+    out[0] = min(abs(share) * effort_at(train.effort, piece, speed), wanted)
     out[1] = train.dynamic_mass * retard
     acceleration: float = (out[0] - out[1] - resists) / train.dynamic_mass
     return acceleration
@@ -92,14 +94,14 @@ def free_step(
     start = forces(train, slope, drag, speed, piece, share, retard, out)
     pull, brake = out[0], out[1]
     full = effort_at(train.effort, piece, speed)
-    is_limited = pull < share * full
+    is_limited = pull < abs(share) * full
     low, high, seconds = 0.0, longest, longest
     if locate:
         for halving in range(HALVINGS):
             advance(train, slope, change, drag, speed, piece, share, retard, seconds, out)
             moved, fast = out[4], out[5]
             law(place + moved, fast, parameters, state, ahead)
-            now_limited = out[9] < share * effort_at(train.effort, piece, fast)
+            now_limited = out[9] < abs(share) * effort_at(train.effort, piece, fast)
             same = (
                 place + moved <= stop_at
                 and fast > 0.0

@@ -23,8 +23,16 @@ def altitude(journey: Journey) -> tuple[Array, Array]:
     return places, line.altitude + np.concatenate([[0.0], np.cumsum(slopes * np.diff(places))])
 
 
-def draw_speeds(axes: Any, journey: Journey, runs: Mapping[str, tuple[Array, Array]]) -> None:
-    """Draw the runs (name → positions m, speeds m/s) under the limits and over the altitude."""
+def draw_speeds(
+    axes: Any,
+    journey: Journey,
+    runs: Mapping[str, tuple[Array, Array]],
+    curves: tuple[Array, Array, Array] | None = None,
+) -> None:
+    """Draw the runs (name → positions m, speeds m/s) under the limits and over the altitude.
+
+    ``curves`` are positions with the speeds of braking and coasting-initiation curve.
+    """
     stops = journey.stops()
     begin, end = stops[0].at, stops[-1].at
     ground = axes.twinx()
@@ -37,7 +45,14 @@ def draw_speeds(axes: Any, journey: Journey, runs: Mapping[str, tuple[Array, Arr
     steps = limits(journey)
     at = np.array([place for place, _ in steps] + [end]) / 1e3
     permitted = np.array([speed for _, speed in steps] + [steps[-1][1]]) * 3.6
-    axes.step(at, permitted, where="post", color="tab:red", lw=1.0, label="permitted")
+    axes.step(at, permitted, where="post", color="k", lw=1.0, label="permitted")
+    if curves is not None:
+        place, braking, coasting = curves
+        top = 1.1 * permitted.max()
+        axes.plot(place / 1e3, np.where(braking * 3.6 < top, braking * 3.6, np.nan), "--",
+                  color="k", lw=0.8, label="braking curve")  # fmt: skip
+        axes.plot(place / 1e3, np.where(coasting * 3.6 < top, coasting * 3.6, np.nan), ":",
+                  color="0.35", lw=1.2, label="coasting-initiation curve")  # fmt: skip
     for name, (position, speed) in runs.items():
         axes.plot(np.asarray(position) / 1e3, np.asarray(speed) * 3.6, lw=1.4, label=name)
     axes.set(

@@ -1,11 +1,13 @@
 // The charts: what each draws, and how they share cursor and zoom.
 
 const CHARTS = [
-  { id: "speed", unit: "km/h", decimals: 1, axle: "wheel_speed", train: { train_speed: "train", reference_speed: "reference" }, floor: 0, height: 320 },
+  { id: "speed", unit: "km/h", decimals: 1, axle: "wheel_speed", under: "unit_reference_speed", underLabel: "its reference", train: { train_speed: "train", reference_speed: "reference" }, floor: 0, height: 320 },
   { id: "slip", unit: "%", decimals: 1, axle: "slip", thresholds: true, height: 240 },
   { id: "pressure", unit: "bar", decimals: 2, axle: "brake_cylinder_pressure", floor: 0, height: 220 },
   { id: "valve", valves: true },
   { id: "adhesion", unit: "", decimals: 3, axle: "adhesion_used", under: "adhesion_available", dotted: "adhesion_asked", floor: 0, height: 260 },
+  { id: "found", unit: "", decimals: 3, axle: "rail_friction", floor: 0, height: 220 },
+  { id: "force", unit: "kN", decimals: 1, axle: "contact_force", height: 220 },
   { id: "deceleration", unit: "m/s²", decimals: 2, train: { deceleration: "train" }, height: 190 },
   { id: "motor", unit: "kN", decimals: 1, axle: "dynamic_force", height: 200 },
   { id: "flash", unit: "K", decimals: 0, axle: "flash_temperature", floor: 0, height: 200 },
@@ -32,15 +34,22 @@ function linesOf(chart, state) {
     add("least of all axles", low, { colour: "transparent", width: 0 });
   }
   data.ghosts.forEach((ghost, g) => {
-    if (!state.shown[g]) return;
-    const style = ghost.measured ? { colour: c.measured, dash: [5, 3] } : { colour: c.ghost, dash: [[], [6, 3], [2, 3], [8, 3, 2, 3]][g % 4] };
+    if (state.hidden.has(ghost.key)) return;
+    const style = ghost.measured ? { colour: c.measured, dash: [5, 3] }
+      : runs ? { colour: runColour(ghost) + "b8", dash: runDash(ghost) }
+      : { colour: c.ghost, dash: [[], [6, 3], [2, 3], [8, 3, 2, 3]][g % 4] };
     const put = (label, values, width, whole) => add(label, onto(x, ghost[over], values), { ...style, width, whole, ghost: g + 1 });
     const table = (chart.axle && ghost.axle[chart.axle]) || [];
     for (const axle of picked) {
       const k = ghost.axles.indexOf(data.axles[axle]);
       if (table[k]) put(`${ghost.name}, ${data.axles[axle]}`, table[k], 0.8);
     }
+    for (const name of chart.rail && runs ? Object.keys(chart.rail) : []) {
+      if (name === "rail_friction_before" || !ghost.rail[name]) continue;
+      add(ghost.name, onto(x, ghost.rail.x, ghost.rail[name]), { ...style, width: 1, whole: true, ghost: g + 1 });
+    }
     for (const name of Object.keys(chart.train || {})) {
+      if (runs && name === "reference_speed") continue;
       if (ghost.train[name]) put(ghost.name, ghost.train[name], name === "reference_speed" ? 0.8 : 1.8, name !== "reference_speed");
     }
   });
@@ -48,10 +57,10 @@ function linesOf(chart, state) {
     for (const axle of picked) {
       const colour = axleColour(axle, picked);
       const under = chart.under && data.axle[chart.under];
-      if (under) add("available", under[axle], { colour, dash: [4, 3], width: 1, quiet: true });
+      if (under) add(chart.underLabel || "available", under[axle], { colour, dash: [4, 3], width: 1, quiet: true });
       const dotted = chart.dotted && picked.length <= 4 && data.axle[chart.dotted];
       if (dotted) add("asked", dotted[axle], { colour, dash: [1, 3], width: 1, quiet: true });
-      add(data.axles[axle], rows[axle], { colour, axle, width: picked.length > 6 ? 1 : 1.4 });
+      add(data.axles[axle], rows[axle], { colour, axle, dash: runs ? runDash(data) : [], width: runs ? 1.8 : picked.length > 6 ? 1 : 1.4 });
     }
   }
   for (const [k, row] of ((chart.vehicle && data.vehicle[chart.vehicle]) || []).entries()) {
@@ -63,14 +72,18 @@ function linesOf(chart, state) {
     data.thresholds.forEach((t, k) => add(t.name, below(t.values), { colour: c.soft, dash: [[6, 3], [8, 3, 2, 3], [2, 3]][k % 3], named: true }));
   }
   for (const [name, label] of Object.entries(chart.train || {})) {
-    if (data.train[name]) {
-      add(label, data.train[name], name === "reference_speed"
-        ? { colour: c.soft, dash: [6, 3], named: true } : { colour: c.ink, width: 2, named: true });
+    // with several units the reference is drawn axle by axle
+    if (data.train[name] && !(name === "reference_speed" && data.axle.unit_reference_speed)) {
+      const whole = runs ? { colour: runColour(data), dash: runDash(data), width: 2.4 } : { colour: c.ink, width: 2 };
+      add(runs && name !== "reference_speed" ? data.name : label, data.train[name], name === "reference_speed"
+        ? { colour: c.soft, dash: [6, 3], named: true } : { ...whole, named: true });
     }
   }
   for (const [name, label] of Object.entries(chart.rail || {})) {
     const first = name === "rail_friction_before";
-    if (data.rail[name]) add(label, data.rail[name], { colour: first ? c.ink : c.many[first ? 0 : 2], named: true, fill: chart.id !== "rail" });
+    const colour = first ? c.ink : runs ? runColour(data) : c.many[2];
+    const values = data.rail[name] && (runs ? onto(x, data.rail.x, data.rail[name]) : data.rail[name]);
+    if (values) add(runs && !first ? data.name : label, values, { colour, named: true, width: runs && !first ? 1.8 : 1.2, fill: chart.id !== "rail" && !runs });
   }
   return lines;
 }
@@ -87,7 +100,7 @@ function axes(chart, label) {
 
 function makeChart(chart, state, place, links) {
   const rail = Boolean(chart.rail);
-  const x = rail ? data.rail.x : state.x;
+  const x = rail ? railAxis() : state.x;
   const lines = chart.valves ? [] : linesOf(chart, { ...state, x });
   if (!chart.valves && !lines.length) return null;
   const label = rail || state.over === "distance" ? "Distance from the start, m" : "Time, s";

@@ -22,10 +22,13 @@ function unpackRun(run) {
   };
   if (made.train.acceleration) made.train.deceleration = made.train.acceleration.map((a) => (a === null ? null : -a));
   if (made.axle.dump_valve) made.axle.dump_valve = made.axle.dump_valve.map((row) => row.map((z) => (z === null ? null : Math.round(z))));
-  const reference = made.train.reference_speed || made.train.train_speed;
-  if (made.axle.wheel_speed && reference) {
-    made.axle.slip = made.axle.wheel_speed.map((wheel) =>
-      wheel.map((w, k) => (w === null || reference[k] === null || reference[k] < 3 ? null : 100 * (1 - w / reference[k]))));
+  const believed = made.train.reference_speed || made.train.train_speed;
+  if (made.axle.wheel_speed && believed) {
+    made.axle.slip = made.axle.wheel_speed.map((wheel, axle) => {
+      const own = made.axle.unit_reference_speed && made.axle.unit_reference_speed[axle];
+      const reference = own && own.some((v) => v > 0) ? own : believed;
+      return wheel.map((w, k) => (w === null || reference[k] === null || reference[k] < 3 ? null : 100 * (1 - w / reference[k])));
+    });
   }
   return made;
 }
@@ -54,23 +57,55 @@ function onto(at, x, y) {
   });
 }
 
-const data = (() => {
-  const raw = JSON.parse(document.getElementById("data").textContent);
-  if (!raw.time) return null;
+// A run with everything that belongs to it alone.
+function unpackWhole(raw) {
   const run = unpackRun(raw);
-  run.ghosts = raw.ghosts.map(unpackRun);
   run.vehicle = Object.fromEntries(Object.entries(raw.vehicle).map(([k, rows]) => [k, rows.map(unpack)]));
   run.rail = Object.fromEntries(Object.entries(raw.rail).map(([k, v]) => [k, unpack(v)]));
   run.thresholds = raw.thresholds.map((t) => ({ name: t.name, values: unpack(t.values) }));
   return run;
-})();
+}
+
+const given = JSON.parse(document.getElementById("data").textContent);
+// A page that compares holds whole runs; each can be the one looked at, the others lie behind it.
+const runs = given.runs ? given.runs.map((run, key) => ({ ...unpackWhole(run), key })) : null;
+let data = null;
+
+function lookAt(key) {
+  data = { ...runs[key], ghosts: runs.filter((run) => run.key !== key) };
+}
+
+if (runs) lookAt(0);
+else if (given.time) data = { ...unpackWhole(given), ghosts: given.ghosts.map((ghost, key) => ({ ...unpackRun(ghost), key })) };
 
 // The axis of all charts: the run's own, and beyond its end that of the runs laid over it.
 function axisOver(over) {
   const own = data[over];
+  return longer(own, data.ghosts.map((ghost) => ghost[over]));
+}
+
+function longer(own, others) {
   const end = own.length ? own[own.length - 1] : 0;
-  const beyond = data.ghosts.flatMap((ghost) => ghost[over].filter((x) => x > end));
+  const beyond = others.flatMap((other) => other.filter((x) => x > end));
   return own.concat(beyond.sort((a, b) => a - b));
+}
+
+function railAxis() {
+  const others = runs ? data.ghosts.flatMap((ghost) => (ghost.rail.x ? [ghost.rail.x] : [])) : [];
+  return longer(data.rail.x || [], others);
+}
+
+// The sample of a run next to a place on the axis; null beyond its end.
+function sampleAt(run, over, here) {
+  const x = run[over];
+  if (!x.length || here > x[x.length - 1]) return null;
+  let low = 0, high = x.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (x[middle] <= here) low = middle;
+    else high = middle;
+  }
+  return here - x[low] < x[high] - here ? low : high;
 }
 
 const padded = (row, length) => (row.length < length ? row.concat(new Array(length - row.length).fill(null)) : row);

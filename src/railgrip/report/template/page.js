@@ -8,9 +8,9 @@ const state = {
   x: axisOver("time"),
   zoom: null,
   picked: data.axles.map((_, k) => k),
-  shown: data.ghosts.map(() => true),
+  hidden: new Set(),
 };
-if (data.axles.length > MANY) state.picked = [data.worst];
+if (runs || data.axles.length > MANY) state.picked = [data.worst];
 let charts = [];
 let rebuilding = false;
 
@@ -53,6 +53,7 @@ function keyOf(u, chart, lines) {
   const axleLines = lines.filter((line) => line.axle !== undefined);
   const focused = u && lines[u.series.findIndex((s, k) => k > 0 && s._focus) - 1];
   if (focused && (focused.axle !== undefined || focused.ghost)) item(focused, focused.label);
+  else if (runs && axleLines.length) item(axleLines[0], chart.train ? `wheel ${axleLines.map((line) => line.label).join(", ")}` : data.name);
   else if (axleLines.length && axleLines.length <= 6) axleLines.forEach((line) => item(line, line.label));
   else if (axleLines.length) {
     for (const vehicle of new Set(axleLines.map((line) => data.vehicle_of[line.axle]))) {
@@ -67,6 +68,7 @@ function keyOf(u, chart, lines) {
     parts.push(span);
   }
   if (lines.some((line) => line.label === "available")) parts.push(element("span", "dashed: available"));
+  if (lines.some((line) => line.label === "its reference")) parts.push(element("span", "dashed, thin: reference of the axle's own unit"));
   if (lines.some((line) => line.label === "asked")) parts.push(element("span", "dotted: asked"));
   if (chart.valves) {
     VALVES.forEach((name, k) => {
@@ -85,7 +87,38 @@ const COLUMNS = [
   ["adhesion_used", "used", 3], ["adhesion_available", "avail.", 3], ["disc_temperature", "°C", 0],
 ].filter(([name]) => data.axle[name]);
 
+const HEADS = { train_speed: "train, km/h", wheel_speed: "wheel, km/h", slip: "slip, %", brake_cylinder_pressure: "cylinder, bar", contact_force: "force, kN",
+  flash_temperature: "flash, K", disc_temperature: "disc, °C", rail_friction: "rail friction", deceleration: "brakes, m/s²" };
+const DECIMALS = { train_speed: 1, wheel_speed: 1, slip: 1, brake_cylinder_pressure: 2, contact_force: 1, flash_temperature: 0, disc_temperature: 0, rail_friction: 3, deceleration: 2 };
+
+// Every run at the same time or place, for the first axle that is picked: a column each.
+function readRuns(at) {
+  const here = state.x[at], axle = data.axles[state.picked[0]];
+  const place = state.over === "time" ? ["Time", shown(here, 2, "s")] : ["Distance", shown(here, 1, "m")];
+  byId("train-values").replaceChildren(...[place, ["Axle", axle || "none picked"]].flatMap(([name, text]) => [element("dt", name), element("dd", text)]));
+  const seen = runs.filter((run) => run.key === data.key || !state.hidden.has(run.key));
+  const samples = seen.map((run) => sampleAt(run, state.over, here));
+  const head = element("tr", "");
+  head.append(element("th", "", { scope: "col" }), ...seen.map((run) => {
+    const cell = element("th", "", { scope: "col", className: run.key === data.key ? "looked" : "" });
+    cell.append(swatch(run), element("span", ` ${breakable(run.name)}`));
+    return cell;
+  }));
+  byId("axle-heads").replaceChildren(head);
+  const names = Object.keys(HEADS).filter((name) => runs.some((run) => run.train[name] || run.axle[name]));
+  byId("axle-values").replaceChildren(...names.map((name) => {
+    const row = element("tr", "");
+    row.append(element("th", HEADS[name], { scope: "row" }), ...seen.map((run, k) => {
+      const values = run.train[name] || (run.axle[name] && run.axle[name][run.axles.indexOf(axle)]);
+      const text = samples[k] === null || !values ? "–" : shown(values[samples[k]], DECIMALS[name]);
+      return element("td", text, { className: run.key === data.key ? "looked" : "" });
+    }));
+    return row;
+  }));
+}
+
 function readout(at) {
+  if (runs) return readRuns(at);
   const pairs = [
     ["Time", shown(data.time[at], 2, "s")], ["Distance", shown(data.distance[at], 1, "m")],
     ["Train", data.train.train_speed && shown(data.train.train_speed[at], 1, "km/h")],
@@ -119,7 +152,7 @@ function rebuild() {
     const made = makeChart(chart, state, place, links);
     if (!made) continue;
     charts.push({ chart, made });
-    keyOf(null, chart, chart.valves ? [] : linesOf(chart, { ...state, x: chart.rail ? data.rail.x : state.x }));
+    keyOf(null, chart, chart.valves ? [] : linesOf(chart, { ...state, x: chart.rail ? railAxis() : state.x }));
   }
   byId("picked").textContent = `${state.picked.length} of ${data.axles.length}`;
   document.querySelectorAll("[data-axle]").forEach((button) => {
@@ -150,26 +183,14 @@ function moveZoom(shift, factor) {
   zoomTo(centre - (factor * width) / 2, centre + (factor * width) / 2);
 }
 
-function setUp() {
-  byId("tools").hidden = false;
-  byId("values").hidden = false;
+function showHeads() {
   byId("axle-heads").replaceChildren(element("tr", ""));
   byId("axle-heads").firstChild.append(element("th", "axle", { scope: "col" }), ...COLUMNS.map((column) => element("th", column[1], { scope: "col" })));
-  document.querySelectorAll("input[name=over]").forEach((input) => input.addEventListener("change", () => {
-    state.over = input.value;
-    state.x = axisOver(state.over);
-    state.zoom = null;
-    rebuild();
-  }));
-  const on = (id, act) => byId(id).addEventListener("click", act);
-  on("earlier", () => moveZoom(-0.25, 1));
-  on("later", () => moveZoom(0.25, 1));
-  on("closer", () => moveZoom(0, 0.5));
-  on("wider", () => moveZoom(0, 2));
-  on("whole", () => zoomTo(state.x[0], state.x[state.x.length - 1]));
-  on("all", () => pick(data.axles.map((_, k) => k)));
-  on("none", () => pick([]));
-  on("worst", () => pick([data.worst]));
+}
+
+// A button for each vehicle and each of its axles.
+function showGroups() {
+  byId("groups").replaceChildren();
   data.vehicles.forEach((name, vehicle) => {
     const mine = data.axles.map((_, k) => k).filter((k) => data.vehicle_of[k] === vehicle);
     const group = element("span", "", { className: "group" });
@@ -186,14 +207,61 @@ function setUp() {
     }));
     byId("groups").append(group);
   });
-  byId("others").hidden = !data.ghosts.length;
-  data.ghosts.forEach((ghost, g) => {
+}
+
+// Boxes that show or hide the runs behind.
+function showOthers() {
+  const place = byId("others");
+  place.hidden = !data.ghosts.length;
+  place.querySelectorAll("label").forEach((label) => label.remove());
+  data.ghosts.forEach((ghost) => {
     const label = element("label", "");
-    const box = element("input", "", { type: "checkbox", checked: true });
-    box.addEventListener("change", () => { state.shown[g] = box.checked; rebuild(); });
-    label.append(box, ` ${ghost.name}`);
-    byId("others").append(label);
+    const box = element("input", "", { type: "checkbox", checked: !state.hidden.has(ghost.key) });
+    box.addEventListener("change", () => {
+      if (box.checked) state.hidden.delete(ghost.key);
+      else state.hidden.add(ghost.key);
+      rebuild();
+    });
+    if (runs) label.append(box, " ", swatch(ghost), ` ${breakable(ghost.name)}`);
+    else label.append(box, ` ${ghost.name}`);
+    place.append(label);
   });
+}
+
+// Look at another run: it becomes what the others are compared with, and they lie behind it.
+function turnTo(key) {
+  const names = state.picked.map((axle) => data.axles[axle]);
+  lookAt(key);
+  state.picked = names.map((name) => data.axles.indexOf(name)).filter((axle) => axle >= 0);
+  state.x = axisOver(state.over);
+  document.querySelectorAll("[data-against]").forEach((part) => { part.hidden = Number(part.dataset.against) !== key; });
+  showGroups();
+  showOthers();
+  rebuild();
+}
+
+function setUp() {
+  byId("tools").hidden = false;
+  byId("values").hidden = false;
+  if (!runs) showHeads();
+  document.querySelectorAll("input[name=over]").forEach((input) => input.addEventListener("change", () => {
+    state.over = input.value;
+    state.x = axisOver(state.over);
+    state.zoom = null;
+    rebuild();
+  }));
+  const on = (id, act) => byId(id).addEventListener("click", act);
+  on("earlier", () => moveZoom(-0.25, 1));
+  on("later", () => moveZoom(0.25, 1));
+  on("closer", () => moveZoom(0, 0.5));
+  on("wider", () => moveZoom(0, 2));
+  on("whole", () => zoomTo(state.x[0], state.x[state.x.length - 1]));
+  on("all", () => pick(data.axles.map((_, k) => k)));
+  on("none", () => pick([]));
+  on("worst", () => pick([data.worst]));
+  document.querySelectorAll("input[name=looked]").forEach((input) => input.addEventListener("change", () => turnTo(Number(input.value))));
+  showGroups();
+  showOthers();
   document.querySelectorAll(".chart").forEach((place) => place.addEventListener("keydown", (event) => {
     const one = charts.find(({ chart }) => `chart-${chart.id}` === place.id);
     const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];

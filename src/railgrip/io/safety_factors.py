@@ -1,0 +1,87 @@
+"""K_dry_rst and K_wet_rst that `railgrip campaign safety` found, for the ETCS supervision."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from railgrip.core.errors import Problem, RailgripError
+from railgrip.scenario.explain import problems_of
+from railgrip.scenario.supervision import SupervisionCase
+
+NEEDED = ("speed", "ebcl", "k_dry_low", "a_brake_emergency", "build_up_time")
+
+
+def with_factors(case: SupervisionCase, path: str | os.PathLike[str]) -> SupervisionCase:
+    """Return a supervision case with the brake that a safety case has shown.
+
+    Parameters
+    ----------
+    case : SupervisionCase
+        A gamma train; its emergency deceleration, build-up time, Kdry and Kwet are replaced.
+    path : path
+        ``factors.json`` of `railgrip campaign safety`.
+
+    Raises
+    ------
+    RailgripError
+        ``factors.json: is no table of railgrip campaign safety``; a level that is not resolved;
+        what the supervision refuses.
+
+    Notes
+    -----
+    Each speed step of the safety case holds from the step below upwards, the last one beyond too.
+    Of each interval the lower end counts, and of the build-up times the longest.
+    """
+    rows = _rows(Path(path))
+    open_levels = sorted({row["ebcl"] for row in rows if not _is_number(row["k_dry_low"])})
+    wanted = case.national.confidence_level
+    if wanted in open_levels:
+        raise RailgripError(
+            Problem(
+                str(path), f"EBCL {wanted} is not resolved", cure="more runs of the safety case"
+            )
+        )
+    speeds = sorted({row["speed"] for row in rows})
+    begins = dict(zip(speeds, [0.0, *speeds[:-1]], strict=True))
+    levels = [level for level in sorted({row["ebcl"] for row in rows}) if level not in open_levels]
+
+    def steps(level: int, name: str) -> list[dict[str, float]]:
+        return [
+            {"from": begins[row["speed"]], "value": row[name]}
+            for row in sorted(rows, key=lambda row: float(row["speed"]))
+            if row["ebcl"] == level
+        ]
+
+    train = case.train.model_dump(by_alias=True) | {
+        "emergency": steps(levels[0], "a_brake_emergency"),
+        "emergency_time": max(row["build_up_time"] for row in rows),
+        "kdry": [{"confidence_level": n, "steps": steps(n, "k_dry_low")} for n in levels],
+        "kwet": steps(levels[0], "k_wet_low") if _is_number(rows[0].get("k_wet_low")) else [],
+    }
+    try:
+        return SupervisionCase.model_validate({**case.model_dump(by_alias=True), "train": train})
+    except ValidationError as error:
+        raise RailgripError(problems_of(error, SupervisionCase)) from None
+
+
+def _rows(path: Path) -> list[dict[str, Any]]:
+    what, cure = "is no table of railgrip campaign safety", "its factors.json"
+    try:
+        rows = json.loads(path.read_text(encoding="utf-8"))["rows"]
+        assert rows
+        assert all(name in row for row in rows for name in NEEDED)
+    except OSError as error:
+        raise RailgripError(Problem(str(path), "cannot be read", str(error.strerror))) from None
+    except (ValueError, KeyError, TypeError, AssertionError):
+        raise RailgripError(Problem(str(path), what, cure=cure)) from None
+    return list(rows)
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and math.isfinite(value)
