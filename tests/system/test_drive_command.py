@@ -84,3 +84,22 @@ def test_bad_coasting_is_explained(folder, capsys, table, sentence):
     assert execute(["drive", "b.toml"]) == 2
     assert sentence in capsys.readouterr().err
     assert not (folder / "out").exists()
+
+
+def test_a_follower_coasts_behind_its_leader(folder, capsys):
+    Path("b.toml").write_text(
+        JOURNEY.replace("8.5 km", "15 km")
+        + "\n[coasting]\ncoasting_deceleration = 0.3\n"
+        + '\n[leader]\ntrain = "freight"\nheadway = "240 s"\n',
+        encoding="utf-8",
+    )
+    assert execute(["drive", "b.toml", "--supplement", "0.05", "--json"]) == 0
+    behind = json.loads(capsys.readouterr().out)
+    assert (
+        behind["coasting"]["energy"]["pantograph"]
+        < 0.9 * (behind["flat_out"]["energy"]["pantograph"])
+    )
+    assert behind["coasting"]["switchings"] < behind["flat_out"]["switchings"]
+    assert behind["flat_out"]["running_time"] > 1.05 * behind["optimum"]["least_time"]
+    assert execute(["drive", "b.toml", "--supplement", "0.05", "--tune"]) == 2
+    assert "--tune: is for a line that is free" in capsys.readouterr().err

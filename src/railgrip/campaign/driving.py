@@ -15,8 +15,10 @@ from railgrip.campaign.coasting_tuning import (
 )
 from railgrip.campaign.optimum.timetable import OptimalRun, optimum
 from railgrip.campaign.optimum.trade_off import capped_curve, optimal_curve
+from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.journey.coasting import Indicated, coasting_of, indicators
-from railgrip.engine.journey.drive import JourneyRun, drive
+from railgrip.engine.journey.drive import FLAT_OUT, DrivingLaw, JourneyRun, drive
+from railgrip.engine.journey.following import follow
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
@@ -101,6 +103,9 @@ class Driven(NamedTuple):
 def driven(journey: Journey, *, tune: bool = False, seed: int = 1) -> Driven:
     """Drive a journey flat out, with its coasting, with tuned coasting if asked, and at best.
 
+    Behind a ``leader`` all but the optimum follow it; the optimum has the line for itself, so it
+    is a bound for them too.
+
     Parameters
     ----------
     journey : Journey
@@ -116,7 +121,10 @@ def driven(journey: Journey, *, tune: bool = False, seed: int = 1) -> Driven:
     >>> [way.name for way in found.ways]
     ['flat out', 'coasting', 'optimum']
     """
-    flat_out = drive(journey)
+    if journey.leader is not None and tune:
+        what = "is for a line that is free"
+        raise RailgripError(Problem("--tune", what, cure="a journey without [leader]"))
+    flat_out = _run(journey)
     best = optimum(journey)
     ways = [_way("flat out", flat_out, np.nan)]
     curve = optimal_curve(journey)
@@ -126,16 +134,23 @@ def driven(journey: Journey, *, tune: bool = False, seed: int = 1) -> Driven:
     }
     tuned = None
     if journey.coasting is not None:
-        run = drive(journey, coasting_of(journey))
+        run = _run(journey, coasting_of(journey))
         in_time = optimum(journey, max(run.running_time, flat_out.running_time))
         share = share_of_saving(run, flat_out, in_time)
-        ways.append(_way("coasting", run, share, indicators(run)))
-        curves["coasting, flatter and flatter"] = coasting_trade_off(journey)
+        if journey.leader is None:
+            ways.append(_way("coasting", run, share, indicators(run)))
+            curves["coasting, flatter and flatter"] = coasting_trade_off(journey)
+        else:  # what the law was told changed from renewal to renewal
+            ways.append(_way("coasting", run, share))
     if tune:
         tuned = tune_coasting(journey, max(best.running_time, flat_out.running_time), seed=seed)
         ways.append(_way("coasting, tuned", tuned.run, tuned.share, indicators(tuned.run)))
     ways.append(_best(journey, best))
     return Driven(journey, ways, float(best.least_times.sum()), tuned, curves)
+
+
+def _run(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
+    return drive(journey, law) if journey.leader is None else follow(journey, law)
 
 
 def _way(name: str, run: JourneyRun, share: float, log: list[Indicated] | None = None) -> Way:
