@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -11,14 +10,14 @@ from numpy.typing import NDArray
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
 from railgrip.engine.journey.coasting import FLAT_OUT_NUMBERS, coasting_of
-from railgrip.engine.journey.drive import JourneyRun, drive, legs
+from railgrip.engine.journey.drive import JourneyRun, Leg, drive, legs
 from railgrip.engine.journey.of_scenario import journey_of, trip_of
-from railgrip.engine.journey.profile import ceiling
 from railgrip.engine.lower_train import lower_train
 from railgrip.engine.plan import DriverPlan
 from railgrip.engine.result import Result
 from railgrip.engine.simulate import overrides, prepare, run_prepared
 from railgrip.scenario.journey import Journey
+from railgrip.scenario.point_train import PointTrain
 from railgrip.scenario.run import DemandPoint, DrivePoint
 from railgrip.scenario.scenario import Scenario
 
@@ -126,49 +125,58 @@ def drive_trip(scenario: Scenario) -> TripRun:
     found = []
     for k, (leg, dry) in enumerate(zip(legs(journey), fast.running_times, strict=True)):
         numbers = law.setup(leg)[0] if law is not None else FLAT_OUT_NUMBERS
-        found.append(_drive_leg(scenario, journey, table, k, numbers, float(dry)))
+        found.append(_drive_leg(scenario, journey.train, table, leg, k, numbers, float(dry)))
     return TripRun(scenario, journey, fast, found)
 
 
 def _drive_leg(
-    scenario: Scenario, journey: Journey, table: Array, k: int, law: Array, dry: float
-) -> TripLeg:
-    here, there = list(pairwise(journey.stops()))[k]
-    trip = trip_of(scenario)
-    prepared = prepare(_leg_scenario(scenario, here.at, dry, k))
-    planned = dry * (1.0 + trip.supplement)
-    step = scenario.run.step
-    deceleration = journey.deceleration()
-    assert deceleration is not None
-    names = at.AXLE_PARAMETERS.split()
-    delays = table[1:, names.index("DEMAND_DELAY")]
-    train = journey.train
-    numbers = np.array([
-        train.dynamic_mass, float(table[1:, names.index("FULL_FORCE")].sum()),
-        train.effort.force, train.effort.power, trip.gain, _foresight(scenario, delays),
-        np.inf if trip.max_acceleration is None else trip.max_acceleration,
-    ], dtype=float)  # fmt: skip
-    plan = prepared.plan
-    nothing = np.zeros(0)
-    driven = plan._replace(
-        driver=DriverPlan(
-            max(1, round(trip.period / step)), np.round(delays / step).astype(np.int64),
-            *ceiling(journey, here.at, there.at, 0.0, deceleration), numbers, law,
-        ),
-        timing=plan.timing._replace(
-            demand_tick=np.zeros(0, dtype=np.int64), demand_level=nothing, demand_emergency=nothing,
-            first_brake_tick=0,  # so that time and distance count from the departure
-        ),
+    scenario: Scenario, train: PointTrain, table: Array, leg: Leg, number: int, law: Array,
+    dry: float,
+) -> TripLeg:  # fmt: skip
+    prepared = prepare(_leg_scenario(scenario, leg.begin, dry, number))
+    driver = _driver(scenario, train, table, leg, law)
+    # the driver takes the place of demands over time
+    timing = prepared.plan.timing._replace(
+        demand_tick=np.zeros(0, dtype=np.int64), demand_level=np.zeros(0),
+        demand_emergency=np.zeros(0), first_brake_tick=0,  # time counts from the departure
     )  # fmt: skip
-    prepared = prepared._replace(plan=driven)
+    prepared = prepared._replace(plan=prepared.plan._replace(driver=driver, timing=timing))
     run = run_prepared(prepared, overrides(prepared, {}, 1), True)
     ended = run.status == RunStatus.STOPPED
-    time = float(run.data["stopping_time"][0]) if ended else np.inf
-    past = float(run.data["covered_distance"][0]) + here.at - there.at
-    return TripLeg(here.at, there.at, run, time, planned, past)
+    return TripLeg(
+        begin=leg.begin,
+        stop=leg.end,
+        run=run,
+        time=float(run.data["stopping_time"][0]) if ended else np.inf,
+        planned=dry * (1.0 + trip_of(scenario).supplement),
+        past_stop=float(run.data["covered_distance"][0]) + leg.begin - leg.end,
+    )
 
 
-def _leg_scenario(scenario: Scenario, start: float, dry: float, k: int) -> Scenario:
+def _driver(
+    scenario: Scenario, train: PointTrain, table: Array, leg: Leg, law: Array
+) -> DriverPlan:
+    """Return what the driver knows: the leg, and the train as its papers say."""
+    trip, step, names = trip_of(scenario), scenario.run.step, at.AXLE_PARAMETERS.split()
+    delays = table[1:, names.index("DEMAND_DELAY")]
+    full_brake = float(table[1:, names.index("FULL_FORCE")].sum())
+    numbers = np.array([
+        train.dynamic_mass, full_brake, train.effort.force, train.effort.power, trip.gain,
+        _foresight(scenario, delays),
+        np.inf if trip.max_acceleration is None else trip.max_acceleration,
+    ], dtype=float)  # fmt: skip
+    return DriverPlan(
+        every=max(1, round(trip.period / step)),
+        late=np.round(delays / step).astype(np.int64),
+        bounds=leg.ceiling[0],
+        squares=leg.ceiling[1],
+        falls=leg.ceiling[2],
+        numbers=numbers,
+        law=law,
+    )
+
+
+def _leg_scenario(scenario: Scenario, start: float, dry: float, number: int) -> Scenario:
     line = scenario.line.use
     longer = line.model_copy(update={"length": line.length + BEYOND})
     run = scenario.run.model_copy(
@@ -179,7 +187,7 @@ def _leg_scenario(scenario: Scenario, start: float, dry: float, k: int) -> Scena
             "duration": None,
             "time_limit": min(PATIENCE * dry + 300.0, LONGEST),
             "trace": TRACE,
-            "seed": scenario.run.seed + k,
+            "seed": scenario.run.seed + number,
         }
     )
     route = scenario.line.model_copy(update={"use": longer, "start": start})

@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from railgrip.engine.trip import TripRun
 from railgrip.report.plots.journey import draw_speeds
 from railgrip.report.static_page import heading, picture, static_page, table
 
 Array = NDArray[np.float64]
 
 
-def figures(run: Any) -> list[tuple[str, float, str, str]]:
+def figures(run: TripRun) -> list[tuple[str, float, str, str]]:
     """Return (name, value in SI, words, text) of a trip as a whole.
 
     Parameters
@@ -44,7 +45,7 @@ def figures(run: Any) -> list[tuple[str, float, str, str]]:
     return values
 
 
-def leg_table(run: Any) -> tuple[list[str], list[list[str]]]:
+def leg_table(run: TripRun) -> tuple[list[str], list[list[str]]]:
     """Return heads and rows: one row a leg."""
     heads = ["from, km", "to, km", "time, s", "without slip, s", "timetable, s", "past the stop, m",
              "greatest slip", "ended"]  # fmt: skip
@@ -58,7 +59,7 @@ def leg_table(run: Any) -> tuple[list[str], list[list[str]]]:
     return heads, rows
 
 
-def trip_html(run: Any) -> str:
+def trip_html(run: TripRun) -> str:
     """Return the page about a trip."""
     title = run.scenario.title or "Trip"
     heads, rows = leg_table(run)
@@ -78,7 +79,7 @@ def trip_html(run: Any) -> str:
     )
 
 
-def ways(run: Any) -> dict[str, tuple[Array, Array]]:
+def ways(run: TripRun) -> dict[str, tuple[Array, Array]]:
     """Return name → (positions, speeds): on the plant, and without slip."""
     data = [leg.run.data for leg in run.legs]
     position = np.concatenate([one["train_position"].values[0] for one in data])
@@ -94,7 +95,7 @@ def slip_speeds(data: Any) -> tuple[Array, Array, Array]:
     return data["train_position"].values[0], over.min(axis=0), over.max(axis=0)
 
 
-def _sand(run: Any) -> float:
+def _sand(run: TripRun) -> float:
     """Return the sand laid by all legs, kg."""
     total = 0.0
     for leg in run.legs:
@@ -113,13 +114,13 @@ def _figure(height: float) -> Any:
     return figure
 
 
-def _speeds(run: Any) -> Any:
+def _speeds(run: TripRun) -> Any:
     figure = _figure(4.5)
     draw_speeds(figure.subplots(), run.journey, ways(run))
     return figure
 
 
-def _slips(run: Any) -> Any:
+def _slips(run: TripRun) -> Any:
     figure = _figure(3.0)
     axes = figure.subplots()
     for leg in run.legs:

@@ -23,7 +23,7 @@ from railgrip.control.coasting.coasting_parameters import (
     check_coasting,
 )
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.engine.journey.drive import DrivingLaw, JourneyRun, Leg, legs
+from railgrip.engine.journey.drive import DrivingLaw, JourneyRun, Leg, braking_of, legs
 from railgrip.engine.journey.forces import HOLD
 from railgrip.scenario.journey import Journey
 
@@ -179,14 +179,9 @@ def coasting_curve(journey: Journey, points: int = 400) -> tuple[Array, Array, A
 
 
 def _checked(journey: Journey) -> CoastingLaw:
-    deceleration = journey.deceleration()
     if journey.coasting is None:
         raise RailgripError(Problem("coasting", "is missing", cure="a table [coasting]"))
-    if deceleration is None:
-        raise RailgripError(
-            Problem("braking", "is missing, and the train names none", cure="braking = '0.5 m/s^2'")
-        )
-    parameters = journey.coasting.parameters(deceleration)
+    parameters = journey.coasting.parameters(braking_of(journey))
     try:
         check_coasting(parameters)
     except RailgripError as error:

@@ -35,6 +35,8 @@ class Leg(NamedTuple):
     """Of the braking curves, m/s²."""
     is_stop: bool = True
     """Whether the train stands at its end."""
+    ceiling: tuple[Array, ...] = ()
+    """Highest square of speed by pieces, as `railgrip.engine.journey.profile.ceiling` gives it."""
 
 
 class DrivingLaw(NamedTuple):
@@ -121,54 +123,57 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
     >>> round(run.running_time, 1)
     393.4
     """
-    deceleration = journey.deceleration()
-    if deceleration is None:
-        raise RailgripError(
-            Problem("braking", "is missing, and the train names none", cure="braking = '0.5 m/s^2'")
-        )
+    deceleration = braking_of(journey)
     train, sections = train_arrays(journey.train), Sections(journey)
     called = first_class(law.demand, kernel.LAW)
     totals, traces, times = np.zeros(kernel.TOTALS), [], []
     clock = 0.0
-    stops = journey.stops()
-    for k, (here, there) in enumerate(pairwise(stops)):
-        first = journey.passing_speed if k == 0 else 0.0
-        final = journey.passing_speed if k == len(stops) - 2 else 0.0
-        lid = ceiling(journey, here.at, there.at, final, deceleration)
-        if first**2 > lid[1][0] * (1 + 1e-9):
+    speed = journey.passing_speed
+    for leg, there in zip(legs(journey), journey.stops()[1:], strict=True):
+        if speed**2 > leg.ceiling[1][0] * (1 + 1e-9):
             raise RailgripError(
-                Problem("passing_speed", "is above what is permitted there", got=f"{first:g} m/s")
+                Problem("passing_speed", "is above what is permitted there", got=f"{speed:g} m/s")
             )
-        parameters, state = law.setup(_leg(lid, deceleration, final == 0.0))
-        rows = np.zeros((_rows(lid, sections, journey), kernel.COLUMNS))
+        parameters, state = law.setup(leg)
+        rows = np.zeros((rows_for(leg.ceiling, sections, journey), kernel.COLUMNS))
         end = np.zeros(4)
         status = kernel.march(
             train, sections.position, sections.slope, sections.slope_change, sections.drag,
-            *lid, called, parameters, state, first, journey.step, np.inf,
+            *leg.ceiling, called, parameters, state, speed, journey.step, np.inf,
             rows, totals, np.zeros(SCRATCH + 2 * (2 + state.size)), end,
         )  # fmt: skip
-        _check(status, end, deceleration)
+        check_end(status, end, deceleration)
         part = rows[: int(end[0])]
         part[:, kernel.TIME] += clock
         traces.append(part)
         times.append(end[1])
         clock += end[1] + there.dwell
-    return _run(journey, np.concatenate(traces), np.array(times), totals)
+        speed = 0.0
+    return run_of(journey, np.concatenate(traces), np.array(times), totals)
+
+
+def braking_of(journey: Journey) -> float:
+    """Return the deceleration of a journey's braking curves, m/s²; refuse one that has none."""
+    deceleration = journey.deceleration()
+    if deceleration is None:
+        what = "is missing, and the train names none"
+        raise RailgripError(Problem("braking", what, cure="braking = '0.5 m/s^2'"))
+    return deceleration
 
 
 def legs(journey: Journey) -> list[Leg]:
-    """Return what a driving law is told of each leg; the journey has a deceleration."""
-    deceleration, stops = journey.deceleration(), journey.stops()
-    assert deceleration is not None
+    """Return what a driving law is told of each leg."""
+    deceleration, stops = braking_of(journey), journey.stops()
     found = []
     for k, (here, there) in enumerate(pairwise(stops)):
         final = journey.passing_speed if k == len(stops) - 2 else 0.0
         lid = ceiling(journey, here.at, there.at, final, deceleration)
-        found.append(_leg(lid, deceleration, final == 0.0))
+        found.append(leg_of(lid, deceleration, final == 0.0))
     return found
 
 
-def _leg(lid: tuple[Array, Array, Array], deceleration: float, is_stop: bool) -> Leg:
+def leg_of(lid: tuple[Array, Array, Array], deceleration: float, is_stop: bool) -> Leg:
+    """Return what a driving law is told of a leg under a ceiling."""
     position, square, slope = lid
     feet = np.maximum(square + slope * np.diff(position), 0.0)
     # a braking curve ends where the next piece does not go on falling from its foot
@@ -178,16 +183,18 @@ def _leg(lid: tuple[Array, Array, Array], deceleration: float, is_stop: bool) ->
         for k in range(slope.size)
         if slope[k] < 0.0 and not goes_on[k]
     )
-    return Leg(float(position[0]), float(position[-1]), ends, deceleration, is_stop)
+    return Leg(float(position[0]), float(position[-1]), ends, deceleration, is_stop, lid)
 
 
-def _rows(lid: tuple[Array, Array, Array], sections: Sections, journey: Journey) -> int:
+def rows_for(lid: tuple[Array, ...], sections: Sections, journey: Journey) -> int:
+    """Return how many rows of a trace a leg may take."""
     length = lid[0][-1] - lid[0][0]
     rough = length / journey.step / 2.0 + 40 * (lid[1].size + sections.slope.size)
     return int(min(2_000 + rough + 20 * len(journey.train.effort.table), MOST_ROWS))
 
 
-def _check(status: int, end: Array, deceleration: float) -> None:
+def check_end(status: int, end: Array, deceleration: float) -> None:
+    """Refuse how a march ended where it should not have, with the place."""
     place = f"{end[2]:.0f} m"
     if status == kernel.STALLED:
         raise RailgripError(
@@ -214,7 +221,8 @@ def _check(status: int, end: Array, deceleration: float) -> None:
         )
 
 
-def _run(journey: Journey, rows: Array, times: Array, totals: Array) -> JourneyRun:
+def run_of(journey: Journey, rows: Array, times: Array, totals: Array) -> JourneyRun:
+    """Return the run that rows of the trace, running times and totals of its legs make."""
     names = ("time", "position", "speed", "traction", "motor_brake", "friction", "permitted")
     chain, net = journey.train.efficiency, journey.train.regeneration.receptivity
     wheel = dict(

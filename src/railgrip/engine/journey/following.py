@@ -18,11 +18,12 @@ from railgrip.engine.journey.drive import (
     FLAT_OUT,
     DrivingLaw,
     JourneyRun,
-    _check,
-    _leg,
-    _rows,
-    _run,
+    braking_of,
+    check_end,
     drive,
+    leg_of,
+    rows_for,
+    run_of,
 )
 from railgrip.engine.journey.forces import train_arrays
 from railgrip.engine.journey.profile import Sections, ceiling
@@ -179,19 +180,15 @@ def follow(
     rows = np.concatenate(march.traces)
     pulls = np.concatenate([[False], rows[:, kernel.TRACTION] > 0.0])
     march.totals[kernel.SWITCHINGS] = float(np.count_nonzero(np.diff(pulls)))
-    return _run(journey, rows, np.array(times), march.totals)
+    return run_of(journey, rows, np.array(times), march.totals)
 
 
 class _March:
     """The march from renewal to renewal."""
 
     def __init__(self, journey: Journey, law: DrivingLaw, authority: Authority) -> None:
-        deceleration = journey.deceleration()
-        if deceleration is None:
-            what = "is missing, and the train names none"
-            raise RailgripError(Problem("braking", what, cure="braking = '0.5 m/s^2'"))
         self.journey, self.law, self.authority = journey, law, authority
-        self.deceleration = deceleration
+        self.deceleration = braking_of(journey)
         self.train, self.sections = train_arrays(journey.train), Sections(journey)
         self.called = first_class(law.demand, kernel.LAW)
         self.totals, self.traces, self.clock = np.zeros(kernel.TOTALS), list[Array](), 0.0
@@ -212,7 +209,7 @@ class _March:
                 what = "is above what is permitted there, or what the authority leaves"
                 raise RailgripError(Problem("passing_speed", what, got=f"{speed:g} m/s"))
             # the law knows its next stop, and all targets up to the end of authority
-            told = _leg(lid, self.deceleration, final == 0.0)._replace(end=stop)
+            told = leg_of(lid, self.deceleration, final == 0.0)._replace(end=stop)
             parameters, first = self.law.setup(told)
             state = first if state is None else state
             # what the renewal itself changes is known before anything moves
@@ -220,7 +217,7 @@ class _March:
             self.law.demand(place, speed, parameters, state, demand)
             state = demand[2:].copy()
             until = math.inf if end == stop and end < math.inf else renewal - self.clock
-            rows = np.zeros((_rows(lid, self.sections, self.journey), kernel.COLUMNS))
+            rows = np.zeros((rows_for(lid, self.sections, self.journey), kernel.COLUMNS))
             found = np.zeros(4)
             status = kernel.march(
                 self.train, self.sections.position, self.sections.slope,
@@ -228,7 +225,7 @@ class _March:
                 *lid, self.called, parameters, state, speed, self.journey.step, until,
                 rows, self.totals, np.zeros(SCRATCH + 2 * (2 + state.size)), found,
             )  # fmt: skip
-            _check(status, found, self.deceleration)
+            check_end(status, found, self.deceleration)
             part = rows[: int(found[0])]
             part[:, kernel.TIME] += self.clock
             self.traces.append(part)
