@@ -47,7 +47,7 @@ def system_place(n_axles: int) -> int:
     Examples
     --------
     >>> system_place(16)
-    380
+    396
     """
     return ranged_state_size(n_axles)
 
@@ -58,7 +58,7 @@ def axle_place(axle: int, n_axles: int) -> int:
     Examples
     --------
     >>> axle_place(1, 16)
-    405
+    421
     """
     return ranged_state_size(n_axles) + N_SYSTEM + axle * N_AXLE
 
@@ -69,6 +69,6 @@ def adaptive_state_size(n_axles: int) -> int:
     Examples
     --------
     >>> adaptive_state_size(16)
-    555
+    571
     """
     return axle_place(n_axles, n_axles)

@@ -13,22 +13,18 @@ from typing import Any
 
 from railgrip.control.adaptive_parameters import (
     SCALE,
-    START,
-    SUPERVISE_EVERY,
     UNSCALED,
     check_supervision,
 )
+from railgrip.control.adaptive_round import begin_supervision, time_to_look
 from railgrip.control.adaptive_state import (
     F0,
     FACTOR,
     IS_ARMED,
-    IS_DECIDED,
     STATE,
-    WAITED,
     axle_place,
     system_place,
 )
-from railgrip.control.adaptive_states import START_MACRO, START_MICRO
 from railgrip.control.adaptive_supervisor import supervise
 from railgrip.control.contract import MACRO, MICRO, SLIP_RANGE, WSP_STATE, FloatArray
 from railgrip.control.conventional_state import (
@@ -87,17 +83,11 @@ def adaptive_traction_initial(
     supervision = parameters[SUPERVISION:]
     n_axles = measured.shape[0]
     for axle in range(n_axles):
-        block = axle_place(axle, n_axles)
         factor = 1.0
         if supervision[SCALE] != UNSCALED:
             factor = state[own_base(n_axles, 0) + LOAD] / state[own_base(n_axles, axle) + LOAD]
-        state[block + FACTOR] = factor
-        state[block + IS_ARMED] = 1.0
-        state[range_place(axle, n_axles)] = supervision[START]
-    is_reverse = supervision[START] == MICRO
-    system = system_place(n_axles)
-    state[system + IS_DECIDED] = 1.0 if is_reverse else 0.0
-    state[system + STATE] = START_MICRO if is_reverse else START_MACRO
+        state[axle_place(axle, n_axles) + FACTOR] = factor
+    begin_supervision(supervision, state, n_axles, 0.0)
 
 
 def look_at_forces(
@@ -165,13 +155,10 @@ def adaptive_traction_kernel(
         return
     observe_while_driving(parameters, axle_setup, state, measured, dt)
     supervision = parameters[SUPERVISION:]
-    system = system_place(n_axles)
-    state[system + WAITED] += 1.0
-    if state[system + WAITED] >= supervision[SUPERVISE_EVERY]:
-        look = state[system + WAITED] * dt
-        state[system + WAITED] = 0.0
+    look = time_to_look(supervision, state, n_axles, dt)
+    if look > 0.0:
         look_at_forces(supervision, axle_setup, state, n_axles, look)
-        command[0, WSP_STATE] = state[system + STATE]
+        command[0, WSP_STATE] = state[system_place(n_axles) + STATE]
         supervise(supervision, state, n_axles, look)
     for axle in range(n_axles):
         share = 1.0

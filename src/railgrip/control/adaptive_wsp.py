@@ -20,27 +20,20 @@ from railgrip.control.adaptive_parameters import (
     LEAD_AXLES,
     MOTORED_FACTOR,
     SCALE,
-    START,
-    SUPERVISE_EVERY,
     AdaptiveParameters,
     check_supervision,
 )
+from railgrip.control.adaptive_round import begin_supervision, time_to_look
 from railgrip.control.adaptive_state import (
     FACTOR,
-    IS_ARMED,
-    IS_DECIDED,
     STATE,
-    WAITED,
     adaptive_state_size,
     axle_place,
     system_place,
 )
-from railgrip.control.adaptive_states import START_MACRO, START_MICRO
 from railgrip.control.adaptive_supervisor import supervise
 from railgrip.control.contract import (
     AXLE_LOAD,
-    MACRO,
-    MICRO,
     MOTORED,
     WSP_STATE,
     FloatArray,
@@ -51,7 +44,6 @@ from railgrip.control.slip_ranges import (
     check_bands,
     observe_in_ranges,
     protect_in_ranges,
-    range_place,
 )
 
 
@@ -62,17 +54,11 @@ def adaptive_initial(
     conventional_initial(parameters, axle_setup, state, measured)
     n_axles = measured.shape[0]
     for axle in range(n_axles):
-        block = axle_place(axle, n_axles)
         factor = parameters[MOTORED_FACTOR] if axle_setup[axle, MOTORED] > 0.0 else 1.0
         if parameters[SCALE] == BY_LOAD:
             factor *= axle_setup[0, AXLE_LOAD] / axle_setup[axle, AXLE_LOAD]
-        state[block + FACTOR] = factor
-        state[block + IS_ARMED] = 1.0
-        is_lead = axle < parameters[LEAD_AXLES]
-        state[range_place(axle, n_axles)] = MACRO if is_lead else parameters[START]
-    is_reverse = parameters[START] == MICRO
-    state[system_place(n_axles) + IS_DECIDED] = 1.0 if is_reverse else 0.0
-    state[system_place(n_axles) + STATE] = START_MICRO if is_reverse else START_MACRO
+        state[axle_place(axle, n_axles) + FACTOR] = factor
+    begin_supervision(parameters, state, n_axles, parameters[LEAD_AXLES])
 
 
 def adaptive_kernel(
@@ -86,11 +72,8 @@ def adaptive_kernel(
     """Advance the protection by one period; arguments as in the controller contract."""
     n_axles = measured.shape[0]
     observe_in_ranges(parameters, axle_setup, state, measured, dt)
-    waited = system_place(n_axles) + WAITED
-    state[waited] += 1.0
-    if state[waited] >= parameters[SUPERVISE_EVERY]:
-        look = state[waited] * dt
-        state[waited] = 0.0
+    look = time_to_look(parameters, state, n_axles, dt)
+    if look > 0.0:
         weigh_axles(parameters, axle_setup, state, measured, look)
         command[0, WSP_STATE] = state[system_place(n_axles) + STATE]
         supervise(parameters, state, n_axles, look)

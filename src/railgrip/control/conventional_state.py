@@ -45,7 +45,8 @@ ROUGHNESS: Final = 18  # mean change of that change, m/s: what noise makes and n
 LEAD_CLOCK: Final = 19  # how long the wheel has led wheels that show the train, s
 VOTE_CLOCK: Final = 20  # how long an unbraked wheel has mostly not turned faster, s
 CORRECTIONS: Final = 21  # how often other wheels have corrected the diameter in this braking
-N_AXLE: Final = 22
+STRANGE_CLOCK: Final = 22  # how long the sensor has read what no pulling wheel shows, s
+N_AXLE: Final = 23
 
 
 def axle_base(axle: int) -> int:
@@ -54,7 +55,7 @@ def axle_base(axle: int) -> int:
     Examples
     --------
     >>> axle_base(0), axle_base(2)
-    (12, 56)
+    (12, 58)
     """
     return N_TRAIN + axle * N_AXLE
 
@@ -65,6 +66,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(16)
-    364
+    380
     """
     return N_TRAIN + n_axles * N_AXLE

@@ -26,10 +26,10 @@ from railgrip.control.conventional_state import (
     LAST_STEP,
     REFERENCE,
     SPEED,
+    STRANGE_CLOCK,
     axle_base,
 )
 from railgrip.control.faulty_axle import CAUTION
-from railgrip.control.traction_state import STRANGE_CLOCK, own_base
 
 PULLING: Final = 2.0e3  # N: with so much motor force no wheel keeps its very speed
 STANDING, MOVING = 0.05, 0.3
@@ -52,10 +52,9 @@ def watch_driven_sensors(
     dt : float
         Period, [s].
     """
-    n_axles = measured.shape[0]
-    for axle in range(n_axles):
+    for axle in range(measured.shape[0]):
         base = axle_base(axle)
-        clock = own_base(n_axles, axle) + STRANGE_CLOCK
+        clock = base + STRANGE_CLOCK
         speed = state[base + SPEED]
         stands = speed < STANDING and state[REFERENCE] > MOVING
         stays = speed > PASSING and state[base + LAST_STEP] == 0.0

@@ -64,7 +64,7 @@ def range_place(axle: int, n_axles: int) -> int:
     Examples
     --------
     >>> range_place(0, 16), range_place(3, 16)
-    (364, 367)
+    (380, 383)
     """
     return state_size(n_axles) + axle
 
@@ -75,7 +75,7 @@ def ranged_state_size(n_axles: int) -> int:
     Examples
     --------
     >>> ranged_state_size(16)
-    380
+    396
     """
     return state_size(n_axles) + n_axles
 

@@ -13,29 +13,20 @@ from typing import Any, Final, NamedTuple
 
 from railgrip.control.adaptive_parameters import (
     LEAD_AXLES,
-    START,
-    SUPERVISE_EVERY,
     Supervision,
     check_supervision,
 )
+from railgrip.control.adaptive_round import begin_supervision, time_to_look
 from railgrip.control.adaptive_state import (
     FACTOR,
-    IS_ARMED,
-    IS_DECIDED,
     STATE,
-    WAITED,
     adaptive_state_size,
     axle_place,
     system_place,
 )
-from railgrip.control.adaptive_states import START_MACRO, START_MICRO
 from railgrip.control.adaptive_supervisor import supervise
-from railgrip.control.adhesion_window import observe_friction
-from railgrip.control.axle_forces import applied_force
 from railgrip.control.contract import (
     BRAKED,
-    EMERGENCY,
-    MACRO,
     MICRO,
     MIDDLE,
     MOTORED,
@@ -56,34 +47,28 @@ from railgrip.control.conventional_state import (
     axle_base,
 )
 from railgrip.control.conventional_state import state_size as conventional_state_size
-from railgrip.control.diameter_compensation import learn_diameters
-from railgrip.control.driving_reference import follow_trailing_wheels, is_driving
-from railgrip.control.faulty_axle import follow_neighbours
-from railgrip.control.force_reckoning import reckon_with_forces
+from railgrip.control.driving_reference import is_driving
 from railgrip.control.observed_forces import clear_sums, leave_out, weigh_axle
 from railgrip.control.parameter_sets import joined
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_ranges import N_RANGED, range_place
 from railgrip.control.temperature_axle import brake_axle, drive_axle
-from railgrip.control.temperature_controlled import check_temperature, temperature_initial
-from railgrip.control.temperature_limit import limit_factor
+from railgrip.control.temperature_controlled import (
+    check_temperature,
+    follow_believed,
+    observe_forces,
+    temperature_initial,
+)
 from railgrip.control.temperature_parameters import (
     ACCURACY,
     GREATEST_SLIP,
-    OBSERVER_WINDOW,
     TemperatureOnly,
 )
 from railgrip.control.temperature_state import (
-    CLOCK,
     FRICTION,
-    SAMPLE,
-    TRAIN_ACCELERATION,
     own_base,
-    train_base,
 )
-from railgrip.control.temperature_state import FACTOR as RISE_FACTOR
 from railgrip.control.temperature_state import state_size as temperature_state_size
-from railgrip.control.train_observer import look_at_wheels
 from railgrip.core.errors import Problem, RailgripError
 
 
@@ -154,15 +139,8 @@ def temperature_adaptive_initial(
     supervision = parameters[SUPERVISION:]
     adaptive = state[adaptive_part(n_axles) :]
     for axle in range(n_axles):
-        block = axle_place(axle, n_axles)
-        adaptive[block + FACTOR] = 1.0
-        adaptive[block + IS_ARMED] = 1.0
-        is_lead = axle < supervision[LEAD_AXLES]
-        adaptive[range_place(axle, n_axles)] = MACRO if is_lead else supervision[START]
-    is_reverse = supervision[START] == MICRO
-    system = system_place(n_axles)
-    adaptive[system + IS_DECIDED] = 1.0 if is_reverse else 0.0
-    adaptive[system + STATE] = START_MICRO if is_reverse else START_MACRO
+        adaptive[axle_place(axle, n_axles) + FACTOR] = 1.0
+    begin_supervision(supervision, adaptive, n_axles, supervision[LEAD_AXLES])
 
 
 def weigh_forces(
@@ -198,35 +176,6 @@ def greatest_slip(parameters: FloatArray, slip_range: float) -> float:
     return limit
 
 
-def observe_forces(
-    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
-    accuracy: float, dt: float,
-) -> None:  # fmt: skip
-    """Update wheels, forces of the rails and reference speed in the state."""
-    n_axles = measured.shape[0]
-    train = train_base(n_axles)
-    wheels = look_at_wheels(parameters, axle_setup, state, measured, accuracy, dt)
-    sample = int(state[train + SAMPLE])
-    length = min(int(parameters[OBSERVER_WINDOW] / dt + 0.5), sample)
-    per_time = 1.0 / (max(length, 1) * dt)
-    for axle in range(n_axles):
-        own = own_base(n_axles, axle)
-        applied = applied_force(axle_setup, state, own, measured, axle)
-        speed = state[axle_base(axle) + SPEED]
-        observe_friction(state, own, sample, length, speed, applied, dt, per_time)
-    if is_driving(measured):
-        follow_trailing_wheels(parameters, axle_setup, state, n_axles, dt)
-    else:
-        reckon_with_forces(parameters, state, wheels, n_axles, accuracy, dt)
-        learn_diameters(parameters, state, measured, dt)
-    state[train + TRAIN_ACCELERATION] = -state[DECELERATION]
-    state[train + RISE_FACTOR] = limit_factor(
-        parameters, state[train + CLOCK], measured[0, EMERGENCY]
-    )
-    state[train + SAMPLE] += 1.0
-    state[train + CLOCK] += dt
-
-
 def temperature_adaptive_kernel(
     parameters: FloatArray,
     axle_setup: FloatArray,
@@ -245,14 +194,11 @@ def temperature_adaptive_kernel(
     observe_forces(parameters, axle_setup, state, measured, accuracy, dt)
     driving = is_driving(measured)
     supervision = parameters[SUPERVISION:]
-    system = system_place(n_axles)
-    adaptive[system + WAITED] += 1.0
-    if adaptive[system + WAITED] >= supervision[SUPERVISE_EVERY]:
-        look = adaptive[system + WAITED] * dt
-        adaptive[system + WAITED] = 0.0
+    look = time_to_look(supervision, adaptive, n_axles, dt)
+    if look > 0.0:
         sign = 1.0 if driving else -1.0
         weigh_forces(supervision, axle_setup, state, adaptive, n_axles, sign, look)
-        command[0, WSP_STATE] = adaptive[system + STATE]
+        command[0, WSP_STATE] = adaptive[system_place(n_axles) + STATE]
         supervise(supervision, adaptive, n_axles, look)
     own_parameters = state[axle_parameters_place(n_axles) :]
     for axle in range(n_axles):
@@ -264,8 +210,7 @@ def temperature_adaptive_kernel(
             brake_axle(own_parameters, axle_setup, state, measured, command, axle, dt)
         command[axle, REFERENCE_SPEED] = state[REFERENCE]
         command[axle, SLIP_RANGE] = slip_range
-    if not driving:
-        follow_neighbours(axle_setup, state, measured, command)
+    follow_believed(axle_setup, state, measured, command)
 
 
 class TemperatureAdaptive(KernelController):

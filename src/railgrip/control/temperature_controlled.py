@@ -24,6 +24,7 @@ from railgrip.control.conventional_parameters import ROTATING_SHARE
 from railgrip.control.conventional_state import DECELERATION, REFERENCE, SPEED, axle_base
 from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.diameter_compensation import learn_diameters
+from railgrip.control.driven_faults import drive_as_neighbours, watch_driven_sensors
 from railgrip.control.driving_reference import follow_trailing_wheels, is_driving
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.force_reckoning import reckon_with_forces
@@ -91,6 +92,55 @@ def temperature_initial(
         state[own + FORCE_BEFORE] = applied_force(axle_setup, state, own, measured, axle)
 
 
+def observe_forces(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
+    accuracy: float, dt: float,
+) -> None:  # fmt: skip
+    """Update wheels, forces of the rails, reference speed and admissible rise in the state.
+
+    Parameters
+    ----------
+    parameters, axle_setup, state, measured : ndarray
+        As in the controller contract.
+    accuracy : float
+        How exactly the train speed must be known, as a slip.
+    dt : float
+        Period, [s].
+    """
+    n_axles = measured.shape[0]
+    train = train_base(n_axles)
+    wheels = look_at_wheels(parameters, axle_setup, state, measured, accuracy, dt)
+    sample = int(state[train + SAMPLE])
+    length = min(int(parameters[OBSERVER_WINDOW] / dt + 0.5), sample)
+    per_time = 1.0 / (max(length, 1) * dt)
+    if is_driving(measured):
+        watch_driven_sensors(parameters, axle_setup, state, measured, dt)
+    for axle in range(n_axles):
+        own = own_base(n_axles, axle)
+        applied = applied_force(axle_setup, state, own, measured, axle)
+        speed = state[axle_base(axle) + SPEED]
+        observe_friction(state, own, sample, length, speed, applied, dt, per_time)
+    if is_driving(measured):
+        follow_trailing_wheels(parameters, axle_setup, state, n_axles, dt)
+    else:
+        reckon_with_forces(parameters, state, wheels, n_axles, accuracy, dt)
+        learn_diameters(parameters, state, measured, dt)
+    state[train + TRAIN_ACCELERATION] = -state[DECELERATION]
+    state[train + FACTOR] = limit_factor(parameters, state[train + CLOCK], measured[0, EMERGENCY])
+    state[train + SAMPLE] += 1.0
+    state[train + CLOCK] += dt
+
+
+def follow_believed(
+    axle_setup: FloatArray, state: FloatArray, measured: FloatArray, command: FloatArray
+) -> None:
+    """Let axles whose sensors are not believed follow the others, driving or braking."""
+    if is_driving(measured):
+        drive_as_neighbours(axle_setup, state, command, measured.shape[0])
+    else:
+        follow_neighbours(axle_setup, state, measured, command)
+
+
 def temperature_kernel(
     parameters: FloatArray,
     axle_setup: FloatArray,
@@ -100,36 +150,15 @@ def temperature_kernel(
     dt: float,
 ) -> None:
     """Advance temperature control by one period; arguments as in the controller contract."""
-    n_axles = measured.shape[0]
-    train = train_base(n_axles)
+    observe_forces(parameters, axle_setup, state, measured, parameters[ACCURACY], dt)
     driving = is_driving(measured)
-    accuracy = parameters[ACCURACY]
-    wheels = look_at_wheels(parameters, axle_setup, state, measured, accuracy, dt)
-    sample = int(state[train + SAMPLE])
-    length = min(int(parameters[OBSERVER_WINDOW] / dt + 0.5), sample)
-    per_time = 1.0 / (max(length, 1) * dt)
-    for axle in range(n_axles):
-        own = own_base(n_axles, axle)
-        applied = applied_force(axle_setup, state, own, measured, axle)
-        speed = state[axle_base(axle) + SPEED]
-        observe_friction(state, own, sample, length, speed, applied, dt, per_time)
-    if driving:
-        follow_trailing_wheels(parameters, axle_setup, state, n_axles, dt)
-    else:
-        reckon_with_forces(parameters, state, wheels, n_axles, accuracy, dt)
-        learn_diameters(parameters, state, measured, dt)
-    state[train + TRAIN_ACCELERATION] = -state[DECELERATION]
-    state[train + FACTOR] = limit_factor(parameters, state[train + CLOCK], measured[0, EMERGENCY])
-    for axle in range(n_axles):
+    for axle in range(measured.shape[0]):
         if driving:
             drive_axle(parameters, axle_setup, state, measured, command, axle, dt)
         else:
             brake_axle(parameters, axle_setup, state, measured, command, axle, dt)
         command[axle, REFERENCE_SPEED] = state[REFERENCE]
-    if not driving:
-        follow_neighbours(axle_setup, state, measured, command)
-    state[train + SAMPLE] += 1.0
-    state[train + CLOCK] += dt
+    follow_believed(axle_setup, state, measured, command)
 
 
 class TemperatureControlled(KernelController):

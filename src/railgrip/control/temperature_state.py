@@ -46,7 +46,7 @@ def train_base(n_axles: int) -> int:
     Examples
     --------
     >>> train_base(2)
-    56
+    58
     """
     return conventional_state.N_TRAIN + n_axles * conventional_state.N_AXLE
 
@@ -57,7 +57,7 @@ def own_base(n_axles: int, axle: int) -> int:
     Examples
     --------
     >>> own_base(2, 0)
-    60
+    62
     """
     return train_base(n_axles) + N_TRAIN + axle * N_OWN
 
@@ -68,7 +68,7 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(1)
-    117
+    118
     """
     return own_base(n_axles, n_axles)
 

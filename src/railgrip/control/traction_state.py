@@ -41,8 +41,7 @@ MEAN_SLIP: Final = 12  # means against which their ups and downs are taken
 MEAN_FORCE: Final = 13
 SLOPE: Final = 14  # (dF/F)/(dw/w), of the adhesion curve at the target
 DOUBT_OF_SLOPE: Final = 15  # its variance
-STRANGE_CLOCK: Final = 16  # how long the sensor has read what no pulling wheel shows, s
-N_OWN: Final = 17
+N_OWN: Final = 16
 
 
 def train_base(n_axles: int) -> int:
@@ -62,7 +61,7 @@ def own_base(n_axles: int, axle: int) -> int:
     Examples
     --------
     >>> own_base(2, 1) - own_base(2, 0)
-    17
+    16
     """
     return train_base(n_axles) + N_TRAIN + axle * N_OWN
 
@@ -73,6 +72,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(1) - train_base(1)
-    28
+    27
     """
     return own_base(n_axles, n_axles)
