@@ -73,3 +73,9 @@ def test_what_is_wrong_is_said_and_nothing_is_left(folder, capsys, words, text, 
     assert execute(["drive", "a.toml", *words]) == 2
     assert sentence in capsys.readouterr().err
     assert not (folder / "out").exists()
+
+
+@pytest.mark.parametrize("command", [["run"], ["compare", "--controllers", "none,conventional"]])
+def test_other_commands_send_a_trip_where_it_belongs(folder, capsys, command):
+    assert execute([command[0], "a.toml", *command[1:]]) == 2
+    assert "try: railgrip drive a.toml" in capsys.readouterr().err

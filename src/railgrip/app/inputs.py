@@ -26,11 +26,15 @@ def read_scenario(source: str, changes: dict[str, Any] | None = None) -> Named:
     Raises
     ------
     RailgripError
-        ``leavs: scenario 'leavs' unknown; known: …; did you mean 'leaves_160'?``
+        ``leavs: scenario 'leavs' unknown; known: …; did you mean 'leaves_160'?``; ``trip: is driven
+        from stop to stop, which this command does not do; try: railgrip drive my.toml``
     """
     import railgrip
 
     scenario = railgrip.load(source)
+    if scenario.trip is not None:
+        what = "is driven from stop to stop, which this command does not do"
+        raise RailgripError(Problem("trip", what, cure=f"railgrip drive {source}"))
     return Named(Path(source).stem, scenario.with_(changes) if changes else scenario)
 
 

@@ -114,18 +114,23 @@ def report_html(
 
 
 def filled(page: str, data: Mapping[str, Any], **parts: str) -> str:
-    """Return a page of the templates with scripts, style, data and its parts in their places."""
+    """Return a page of the templates in its frame: scripts, style, data, and its parts.
+
+    ``title`` and ``version`` are among the parts: the frame names them too.
+    """
     script = '"use strict";\n(() => {\n' + "".join(template(name) for name in SCRIPTS) + "})();\n"
     uplot = _vendored("uPlot.iife.min.js")
     style = _vendored("uPlot.min.css") + template("page.css")
-    return Template(template(page)).substitute(
+    return Template(template("frame.html")).substitute(
+        inside=Template(template(page)).substitute(parts),
+        title=parts["title"],
+        version=parts["version"],
         policy=policy([uplot, script], style),
         licence=_vendored("LICENSE").strip().replace("--", "- -"),
         style=style,
         uplot=uplot,
         script=script,
         data=_harmless(json.dumps(data, separators=(",", ":"))),
-        **parts,
     )
 
 
