@@ -81,9 +81,12 @@ def trip_html(run: TripRun) -> str:
 
 def ways(run: TripRun) -> dict[str, tuple[Array, Array]]:
     """Return name → (positions, speeds): on the plant, and without slip."""
-    data = [leg.run.data for leg in run.legs]
-    position = np.concatenate([one["train_position"].values[0] for one in data])
-    speed = np.concatenate([one["train_speed"].values[0] for one in data])
+    # a gap after each leg: a train past its stop begins the next one at the stop
+    gap = np.array([np.nan])
+    position, speed = (
+        np.concatenate([part for leg in run.legs for part in (leg.run.data[name].values[0], gap)])
+        for name in ("train_position", "train_speed")
+    )
     fast = run.fast.trace
     return {"without slip": (fast["position"], fast["speed"]), "on the plant": (position, speed)}
 
