@@ -27,8 +27,8 @@ from railgrip.contact.rolling_contact import Creepage, rolling_contact
 from railgrip.contact.shen_hedrick_elkins_1983 import shen_hedrick_elkins_1983
 from railgrip.core import registry
 from railgrip.engine import offsets as at
+from railgrip.engine.contact_pass import grid_pass, law_pass, table_pass
 from railgrip.engine.offsets import SIXTEEN_LANES, width
-from railgrip.engine.step import _grid_pass, _law_pass, _table_pass
 from railgrip.laboratory.fastsim_map import fastsim_map
 from railgrip.laboratory.fastsim_strips import ABREAST, work_space
 from railgrip.laboratory.laws_over_arrays import creep_forces
@@ -80,7 +80,7 @@ def _engine_loop(lanes, S, times):
     block = at.N_VARS * width(lanes)
     for _ in range(times):
         for axle in range(BLOCKS):
-            _law_pass(lanes, S, np.uint64(axle + 1) * block, _polach)
+            law_pass(lanes, S, np.uint64(axle + 1) * block, _polach)
 
 
 @entry
@@ -88,7 +88,7 @@ def _table_loop(lanes, S, table, times):
     block = at.N_VARS * width(lanes)
     for _ in range(times):
         for axle in range(BLOCKS):
-            _table_pass(lanes, S, np.uint64(axle + 1) * block, table)
+            table_pass(lanes, S, np.uint64(axle + 1) * block, table)
 
 
 @entry
@@ -96,7 +96,7 @@ def _grid_loop(lanes, S, grid, axis, times):
     block = at.N_VARS * width(lanes)
     for _ in range(times):
         for axle in range(BLOCKS):
-            _grid_pass(lanes, S, np.uint64(axle + 1) * block, grid, axis)
+            grid_pass(lanes, S, np.uint64(axle + 1) * block, grid, axis)
 
 
 def table_rows(evaluations, times, repeats):

@@ -97,7 +97,7 @@ def _keep_contact(
 
 
 @inlined
-def _law_pass(lanes: Any, S: Any, b: int, law: Any) -> None:
+def law_pass(lanes: Any, S: Any, b: int, law: Any) -> None:
     """Chord of the creep curve, T/s, at the present slip, and the limit of friction."""
     L = width(lanes)
     for k in range(L):
@@ -109,7 +109,7 @@ def _law_pass(lanes: Any, S: Any, b: int, law: Any) -> None:
 
 
 @inlined_apart
-def _table_pass(lanes: Any, S: Any, b: int, table: Any) -> None:
+def table_pass(lanes: Any, S: Any, b: int, table: Any) -> None:
     """The same with a law whose one curve stands in a table."""
     L = width(lanes)
     for k in range(L):
@@ -120,7 +120,7 @@ def _table_pass(lanes: Any, S: Any, b: int, table: Any) -> None:
 
 
 @inlined_apart
-def _grid_pass(lanes: Any, S: Any, b: int, grid: Any, axis: Any) -> None:
+def grid_pass(lanes: Any, S: Any, b: int, grid: Any, axis: Any) -> None:
     """The same with a law whose curve depends on more than the creepage."""
     L = width(lanes)
     for k in range(L):
@@ -152,14 +152,14 @@ def contact_pass(lanes: Any, S: Any, axle: int, creep_law: int, tables: Any, cus
     """Contact by the law that the scenario names."""
     b = (axle + at.AXLE_BLOCK) * at.N_VARS * width(lanes)
     if creep_law == layout.LAW_POLACH:
-        _law_pass(lanes, S, b, _polach)
+        law_pass(lanes, S, b, _polach)
     elif creep_law == layout.LAW_FREIBAUER:
-        _law_pass(lanes, S, b, _freibauer)
+        law_pass(lanes, S, b, _freibauer)
     elif creep_law == layout.LAW_SHEN:
-        _law_pass(lanes, S, b, _shen)
+        law_pass(lanes, S, b, _shen)
     elif creep_law == layout.LAW_TABLE:
-        _table_pass(lanes, S, b, tables.curves[axle, 0])
+        table_pass(lanes, S, b, tables.curves[axle, 0])
     elif creep_law == layout.LAW_GRID:
-        _grid_pass(lanes, S, b, tables.curves[axle], tables.axes[axle])
+        grid_pass(lanes, S, b, tables.curves[axle], tables.axes[axle])
     else:
         _custom_pass(lanes, S, b, custom)
