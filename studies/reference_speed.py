@@ -26,33 +26,26 @@ import numpy as np
 
 import railgrip as rg
 from railgrip.control.adhesion_window import observe_friction
-from railgrip.control.axle_forces import applied_force
-from railgrip.control.axle_protection import protect_axle
-from railgrip.control.contract import REFERENCE_SPEED, FloatArray
+from railgrip.control.axle_protection import protect_axles
+from railgrip.control.contract import FloatArray
 from railgrip.control.conventional_parameters import (
     DECELERATION_PER_PRESSURE,
     SLIP_LOWER,
-    SLIP_SPEED_LOWER_FLOOR,
-    SLIP_SPEED_UPPER_FLOOR,
-    SLIP_UPPER,
     ConventionalParameters,
 )
-from railgrip.control.conventional_state import (
-    DECELERATION,
-    PRESSURE_GAIN,
-    REFERENCE,
-    SPEED,
-    axle_base,
-    state_size,
+from railgrip.control.conventional_state import DECELERATION, PRESSURE_GAIN, REFERENCE
+from railgrip.control.conventional_wsp import (
+    BANDS,
+    ConventionalWSP,
+    conventional_initial,
+    set_band,
 )
-from railgrip.control.conventional_wsp import BANDS, ConventionalWSP, conventional_initial
 from railgrip.control.force_reckoning import reckon_with_forces
 from railgrip.control.plain_form import KernelController
-from railgrip.control.slip_band import threshold
+from railgrip.control.state_layout import state_size
 from railgrip.control.temperature_controlled import temperature_initial
 from railgrip.control.temperature_parameters import OBSERVER_WINDOW, TemperatureParameters
-from railgrip.control.temperature_state import SAMPLE, own_base, train_base
-from railgrip.control.temperature_state import state_size as forces_state_size
+from railgrip.control.temperature_state import SAMPLE
 from railgrip.control.train_observer import look_at_wheels
 
 
@@ -83,12 +76,8 @@ def _protect(
     command: FloatArray,
     dt: float,
 ) -> None:
-    reference = state[REFERENCE]
-    lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)
-    upper = threshold(parameters[SLIP_UPPER], parameters[SLIP_SPEED_UPPER_FLOOR], reference)
-    for axle in range(measured.shape[0]):
-        protect_axle(parameters, axle_setup, state, measured, command, axle, lower, upper, dt)
-        command[axle, REFERENCE_SPEED] = reference
+    set_band(parameters, state, measured.shape[0])
+    protect_axles(parameters, state, command, dt)
 
 
 def greatest_kernel(
@@ -117,18 +106,13 @@ def forces_kernel(
 ) -> None:
     """Protect with observed forces for the dead reckoning; arguments as in the contract."""
     n_axles = measured.shape[0]
-    train = train_base(n_axles)
     wheels = look_at_wheels(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
-    sample = int(state[train + SAMPLE])
+    sample = int(state[SAMPLE])
     length = min(int(parameters[OBSERVER_WINDOW] / dt + 0.5), sample)
     per_time = 1.0 / (max(length, 1) * dt)
-    for axle in range(n_axles):
-        own = own_base(n_axles, axle)
-        applied = applied_force(axle_setup, state, own, measured, axle)
-        speed = state[axle_base(axle) + SPEED]
-        observe_friction(state, own, sample, length, speed, applied, dt, per_time)
+    observe_friction(state, n_axles, sample, length, dt, per_time)
     reckon_with_forces(parameters, state, wheels, n_axles, parameters[SLIP_LOWER], dt)
-    state[train + SAMPLE] += 1.0
+    state[SAMPLE] += 1.0
     _protect(parameters, axle_setup, state, measured, command, dt)
 
 
@@ -158,7 +142,7 @@ class Forces(KernelController):
 
     kernel = staticmethod(forces_kernel)
     initial = staticmethod(temperature_initial)
-    state_size = staticmethod(forces_state_size)
+    state_size = staticmethod(state_size)
 
 
 class Unlearned(Forces):

@@ -36,7 +36,7 @@ class Logged:
 
     def step(self, state, measured, dt):
         command = self.inner.step(state, measured, dt)
-        self.notes.append(targets(state.values, self.n_axles, AXLE))
+        self.notes.append(targets(state.values, AXLE))
         return command
 
 

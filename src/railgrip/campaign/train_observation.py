@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from railgrip.control.adhesion_window import observe_friction
-from railgrip.control.temperature_state import FORCE_BEFORE, FRICTION, MASS, N_OWN, N_WINDOW
+from railgrip.control.conventional_state import DYNAMIC, SPEED
+from railgrip.control.state_layout import axle_base, state_size
+from railgrip.control.temperature_state import FORCE_BEFORE, FRICTION, MASS, N_WINDOW
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.simulate import nominal_numbers
 from railgrip.scenario import Scenario
@@ -242,18 +244,19 @@ def _mean(values: Array, wide: int) -> Array:
 def _rail_force(measured: Measurements, applied: Array, rotating: Array) -> Array:
     """Return the force of the rail on each axle, by the controllers' observer (f8), [N]."""
     step = float(measured.time[1] - measured.time[0])
+    n_axles, n_samples = applied.shape
     force = np.zeros_like(applied)
     most = min(max(1, round(WINDOW / step)), N_WINDOW - 1)
-    for axle in range(len(applied)):
-        state = np.zeros(N_OWN)
-        state[MASS] = rotating[axle]
-        state[FORCE_BEFORE] = applied[axle, 0]
-        for sample, (speed, pull) in enumerate(
-            zip(measured.wheel_speed[axle], applied[axle], strict=True)
-        ):
-            length = min(most, sample)
-            observe_friction(
-                state, 0, sample, length, speed, pull, step, 1.0 / (max(length, 1) * step)
-            )
-            force[axle, sample] = state[FRICTION]
+    state = np.zeros(state_size(n_axles))
+    bases = [axle_base(axle) for axle in range(n_axles)]
+    for base, mass, pull in zip(bases, rotating, applied, strict=True):
+        state[base + MASS] = mass
+        state[base + FORCE_BEFORE] = pull[0]
+    for sample in range(n_samples):
+        length = min(most, sample)
+        for axle, base in enumerate(bases):
+            state[base + SPEED] = measured.wheel_speed[axle, sample]
+            state[base + DYNAMIC] = -applied[axle, sample]
+        observe_friction(state, n_axles, sample, length, step, 1.0 / (max(length, 1) * step))
+        force[:, sample] = [state[base + FRICTION] for base in bases]
     return force

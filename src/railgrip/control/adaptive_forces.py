@@ -8,7 +8,7 @@ force is the better signal, most of all in a cylinder that is still filling.
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple
 
 from railgrip.control.adaptive_parameters import (
     ADHESION_SHARE,
@@ -23,6 +23,7 @@ from railgrip.control.adaptive_parameters import (
     SIGNAL,
 )
 from railgrip.control.adaptive_state import (
+    COUNTS,
     F0,
     FACTOR,
     FOLLOWER_FORCE,
@@ -38,45 +39,88 @@ from railgrip.control.adaptive_state import (
     MICRO_FORCE,
     N_MACRO,
     N_MICRO,
+    RANGE,
     RANGE_CLOCK,
     SLID,
-    axle_place,
-    system_place,
 )
-from railgrip.control.contract import BRAKED, MICRO, MOTORED, FloatArray
-from railgrip.control.conventional_parameters import ROTATING_SHARE
+from railgrip.control.axle_protection import freed_place
+from railgrip.control.contract import MICRO, FloatArray
+from railgrip.control.conventional_parameters import (
+    ROTATING_SHARE,
+    ConventionalParameters,
+    conventional_of,
+)
 from railgrip.control.conventional_state import (
     ACCELERATION,
     DECELERATION,
-    FREED_AXLE,
+    IS_BRAKED,
     IS_FAULTY,
+    IS_MOTORED,
     PRESSURE_GAIN,
     REFERENCE,
     SAFETY_FILL,
     SETTLED_CLOCK,
     SPEED,
-    axle_base,
 )
 from railgrip.control.slip_band import threshold
-from railgrip.control.slip_ranges import range_place
+from railgrip.control.state_layout import axle_base, group_base, groups, in_group
 from railgrip.control.train_observer import braking_pressure
 
 RELEASED_AFTER: Final = 1.0  # s without brake and without gain of speed: released or cut out
 
 
-def weigh_axles(
-    parameters: FloatArray,
-    axle_setup: FloatArray,
-    state: FloatArray,
-    measured: FloatArray,
-    dt: float,
-) -> None:
+class Weighing(NamedTuple):
+    """What is the same for all axles when their forces are weighed, read once.
+
+    Parameters
+    ----------
+    inertia : float
+        Pressure that slows a wheel by 1 m/s², [Pa s²/m]; 0 where the signal is the pressure.
+    breaking, adhering : float
+        Slip speed at breakaway and the one below which an axle adheres again, [m/s].
+    growth : float
+        Rate of the slip speed at breakaway, [m/s²].
+    restart : float
+        Time in a range before its mean begins, [s].
+    force_blend, mean_blend : float
+        Shares of the filters.
+    """
+
+    inertia: float
+    breaking: float
+    adhering: float
+    growth: float
+    restart: float
+    force_blend: float
+    mean_blend: float
+
+
+def weighing(parameters: FloatArray, state: FloatArray, dt: float) -> Weighing:
+    """Return what is the same for all axles."""
+    inertia = 0.0
+    if parameters[SIGNAL] == RAIL_FORCE:
+        inertia = parameters[ROTATING_SHARE] / state[PRESSURE_GAIN]
+    breaking = threshold(parameters[BREAKAWAY_SLIP], parameters[BREAKAWAY_FLOOR], state[REFERENCE])
+    return Weighing(
+        inertia=inertia,
+        breaking=breaking,
+        adhering=parameters[ADHESION_SHARE] * breaking,
+        growth=parameters[BREAKAWAY_GROWTH],
+        restart=parameters[RESTART_AFTER],
+        force_blend=dt / (parameters[F0_FILTER] + dt),
+        mean_blend=dt / (parameters[MEAN_TIME] + dt),
+    )
+
+
+def weigh_axles(parameters: FloatArray, state: FloatArray, n_axles: int, dt: float) -> None:
     """Update F0, FB and slid distance of every axle and the sums over both ranges.
 
     Parameters
     ----------
-    parameters, axle_setup, state, measured : ndarray
+    parameters, state : ndarray
         As in the controller contract.
+    n_axles : int
+        Number of axles.
     dt : float
         Time since the last call, [s].
 
@@ -85,84 +129,101 @@ def weigh_axles(
     Only axles count that brake, whose sensor is believed, that have broken away once, and that have
     been in their range for `restart_after`.
     """
-    n_axles = measured.shape[0]
-    system = system_place(n_axles)
-    mean_blend = dt / (parameters[MEAN_TIME] + dt)
-    force_blend = dt / (parameters[F0_FILTER] + dt)
-    inertia = 0.0
-    if parameters[SIGNAL] == RAIL_FORCE:
-        inertia = parameters[ROTATING_SHARE] / state[PRESSURE_GAIN]
-    breaking = threshold(parameters[BREAKAWAY_SLIP], parameters[BREAKAWAY_FLOOR], state[REFERENCE])
-    adhering = parameters[ADHESION_SHARE] * breaking
+    own = conventional_of(parameters)
+    same = weighing(parameters, state, dt)
+    reference = state[REFERENCE]
+    deceleration = state[DECELERATION]
+    freed = freed_place(state)
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            block = group_base(group) + i
+            _weigh(own, same, state, base, block, reference, deceleration, base == freed, dt)
+    _sum_up(parameters, state, n_axles)
+
+
+def _weigh(
+    parameters: ConventionalParameters,
+    same: Weighing,
+    state: FloatArray,
+    base: int,
+    block: int,
+    reference: float,
+    deceleration: float,
+    is_freed: bool,
+    dt: float,
+) -> None:
+    """Update one axle: without branches, for packed arithmetic."""
+    brakes = has_brake(state, base)
+    works = brakes and not is_freed
+    slip_speed = reference - state[base + SPEED]
+    acceleration = state[base + ACCELERATION]
+    pressure = braking_pressure(parameters, state, base)
+    signal = (pressure + same.inertia * acceleration) * state[block + FACTOR]
+    force = state[block + FORCE] + same.force_blend * (signal - state[block + FORCE])
+    is_armed = state[block + IS_ARMED]
+    adheres = slip_speed < same.adhering
+    grows = acceleration + deceleration < -same.growth
+    breaks = is_armed > 0.0 and slip_speed > same.breaking and grows and not adheres
+    armed = 0.0 if breaks else is_armed
+    armed = 1.0 if adheres else armed
+    clock = state[block + RANGE_CLOCK] + dt if works else 0.0
+    is_new = clock <= same.restart
+    mean = state[block + MEAN] + same.mean_blend * (signal - state[block + MEAN])
+    mean = force if is_new else mean
+    slid = 0.0 if is_new else state[block + SLID] + abs(slip_speed) * dt
+    state[block + IS_LEAD] = 1.0 if brakes else 0.0
+    state[block + FORCE] = force if works else state[block + FORCE]
+    state[block + F0] = max(force, 0.0) if works and breaks else state[block + F0]
+    state[block + IS_ARMED] = armed if works else is_armed
+    state[block + RANGE_CLOCK] = clock
+    state[block + MEAN] = mean if works else state[block + MEAN]
+    state[block + SLID] = slid if works else state[block + SLID]
+    state[block + COUNTS] = 1.0 if works and not is_new else 0.0
+
+
+def _sum_up(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
+    """Find the leading axles, and sum up over the axles that count in either range."""
     n_lead = 0.0
     n_macro = n_micro = macro_force = micro_force = macro_f0 = macro_slid = 0.0
     leader_force = follower_force = leader_slid = 0.0
     for axle in range(n_axles):
-        base = axle_base(axle)
-        block = axle_place(axle, n_axles)
-        state[block + IS_LEAD] = 0.0
-        if not has_brake(axle_setup, state, base, axle):
-            state[block + RANGE_CLOCK] = 0.0
-            continue
-        is_lead = n_lead < parameters[LEAD_AXLES]
-        if is_lead:
-            n_lead += 1.0
-            state[block + IS_LEAD] = 1.0
-        if state[FREED_AXLE] == axle + 1.0:
-            state[block + RANGE_CLOCK] = 0.0
-            continue
-        slip_speed = state[REFERENCE] - state[base + SPEED]
-        pressure = braking_pressure(parameters, measured, axle)
-        signal = (pressure + inertia * state[base + ACCELERATION]) * state[block + FACTOR]
-        force = state[block + FORCE] + force_blend * (signal - state[block + FORCE])
-        state[block + FORCE] = force
-        if slip_speed < adhering:
-            state[block + IS_ARMED] = 1.0
-        elif slip_speed > breaking and state[block + IS_ARMED] > 0.0:
-            relative = state[base + ACCELERATION] + state[DECELERATION]
-            if relative < -parameters[BREAKAWAY_GROWTH]:
-                state[block + F0] = max(force, 0.0)
-                state[block + IS_ARMED] = 0.0
-        clock = state[block + RANGE_CLOCK] + dt
-        state[block + RANGE_CLOCK] = clock
-        if clock <= parameters[RESTART_AFTER]:
-            state[block + MEAN] = force
-            state[block + SLID] = 0.0
-            continue
-        mean = state[block + MEAN] + mean_blend * (signal - state[block + MEAN])
-        slid = state[block + SLID] + abs(slip_speed) * dt
-        state[block + MEAN] = mean
-        state[block + SLID] = slid
-        if is_lead:
+        block = axle_base(axle)
+        mean = state[block + MEAN]
+        slid = state[block + SLID]
+        is_lead = state[block + IS_LEAD] > 0.0 and n_lead < parameters[LEAD_AXLES]
+        state[block + IS_LEAD] = 1.0 if is_lead else 0.0
+        n_lead += 1.0 if is_lead else 0.0
+        if is_lead and state[block + COUNTS] > 0.0:
             if n_lead == 1.0:
                 leader_force = mean
                 leader_slid = slid
             if n_lead == parameters[LEAD_AXLES]:
                 follower_force = mean
         f0 = state[block + F0]
-        if f0 > 0.0:
-            if state[range_place(axle, n_axles)] > MICRO:
-                n_macro += 1.0
-                macro_force += mean
-                macro_f0 += f0
-                macro_slid += slid
-            else:
-                n_micro += 1.0
-                micro_force += mean
-    state[system + N_MACRO] = n_macro
-    state[system + N_MICRO] = n_micro
-    state[system + MACRO_FORCE] = macro_force
-    state[system + MICRO_FORCE] = micro_force
-    state[system + MACRO_F0] = macro_f0
-    state[system + MACRO_SLID] = macro_slid
-    state[system + LEADER_FORCE] = leader_force
-    state[system + FOLLOWER_FORCE] = follower_force
-    state[system + LEADER_SLID] = leader_slid
+        counts = state[block + COUNTS] > 0.0 and f0 > 0.0
+        in_macro = counts and state[axle_base(axle) + RANGE] > MICRO
+        in_micro = counts and not in_macro
+        n_macro += 1.0 if in_macro else 0.0
+        macro_force += mean if in_macro else 0.0
+        macro_f0 += f0 if in_macro else 0.0
+        macro_slid += slid if in_macro else 0.0
+        n_micro += 1.0 if in_micro else 0.0
+        micro_force += mean if in_micro else 0.0
+    state[N_MACRO] = n_macro
+    state[N_MICRO] = n_micro
+    state[MACRO_FORCE] = macro_force
+    state[MICRO_FORCE] = micro_force
+    state[MACRO_F0] = macro_f0
+    state[MACRO_SLID] = macro_slid
+    state[LEADER_FORCE] = leader_force
+    state[FOLLOWER_FORCE] = follower_force
+    state[LEADER_SLID] = leader_slid
 
 
-def has_brake(axle_setup: FloatArray, state: FloatArray, base: int, axle: int) -> bool:
+def has_brake(state: FloatArray, base: int) -> bool:
     """Return whether an axle brakes and its speed is believed: not faulty, released or cut out."""
-    is_equipped = axle_setup[axle, BRAKED] > 0.0 or axle_setup[axle, MOTORED] > 0.0
+    is_equipped = state[base + IS_BRAKED] + state[base + IS_MOTORED] > 0.0
     is_sound: bool = (
         state[base + IS_FAULTY] == 0.0
         and state[base + SAFETY_FILL] == 0.0

@@ -3,17 +3,10 @@
 from __future__ import annotations
 
 from railgrip.control.adaptive_parameters import START, SUPERVISE_EVERY
-from railgrip.control.adaptive_state import (
-    IS_ARMED,
-    IS_DECIDED,
-    STATE,
-    WAITED,
-    axle_place,
-    system_place,
-)
+from railgrip.control.adaptive_state import IS_ARMED, IS_DECIDED, RANGE, STATE, WAITED
 from railgrip.control.adaptive_states import START_MACRO, START_MICRO
 from railgrip.control.contract import MACRO, MICRO, FloatArray
-from railgrip.control.slip_ranges import range_place
+from railgrip.control.state_layout import axle_base
 
 
 def begin_supervision(
@@ -31,17 +24,16 @@ def begin_supervision(
         So many axles at the front begin in macro-slip, whatever `START` says.
     """
     for axle in range(n_axles):
-        state[axle_place(axle, n_axles) + IS_ARMED] = 1.0
-        state[range_place(axle, n_axles)] = MACRO if axle < n_lead else parameters[START]
+        state[axle_base(axle) + IS_ARMED] = 1.0
+        state[axle_base(axle) + RANGE] = MACRO if axle < n_lead else parameters[START]
     is_reverse = parameters[START] == MICRO
-    system = system_place(n_axles)
-    state[system + IS_DECIDED] = 1.0 if is_reverse else 0.0
-    state[system + STATE] = START_MICRO if is_reverse else START_MACRO
+    state[IS_DECIDED] = 1.0 if is_reverse else 0.0
+    state[STATE] = START_MICRO if is_reverse else START_MACRO
 
 
-def time_to_look(parameters: FloatArray, state: FloatArray, n_axles: int, dt: float) -> float:
+def time_to_look(parameters: FloatArray, state: FloatArray, dt: float) -> float:
     """Return the time since the supervisor last looked if its turn has come, else 0, [s]."""
-    waited = system_place(n_axles) + WAITED
+    waited = WAITED
     state[waited] += 1.0
     if state[waited] < parameters[SUPERVISE_EVERY]:
         return 0.0

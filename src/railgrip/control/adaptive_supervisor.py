@@ -47,14 +47,13 @@ from railgrip.control.adaptive_state import (
     MICRO_FORCE,
     N_MACRO,
     N_MICRO,
+    RANGE,
     RANGE_CLOCK,
     SLID,
     STATE,
     TEST_CLOCK,
     TEST_NUMBER,
     TESTED_AT,
-    axle_place,
-    system_place,
 )
 from railgrip.control.adaptive_states import (
     AVERAGE,
@@ -73,7 +72,7 @@ from railgrip.control.adaptive_states import (
     TEST,
 )
 from railgrip.control.contract import MACRO, MICRO, FloatArray
-from railgrip.control.slip_ranges import range_place
+from railgrip.control.state_layout import axle_base
 
 
 def supervise(parameters: FloatArray, state: FloatArray, n_axles: int, dt: float) -> None:
@@ -88,38 +87,36 @@ def supervise(parameters: FloatArray, state: FloatArray, n_axles: int, dt: float
     dt : float
         Time since the last call, [s].
     """
-    system = system_place(n_axles)
-    now = state[system + STATE]
+    now = state[STATE]
     if now <= IS_MACRO_BETTER:
         after = _step_in_macro(parameters, state, n_axles, now)
     else:
         after = _step_in_micro(parameters, state, n_axles, now, dt)
-    state[system + STATE] = after
+    state[STATE] = after
 
 
 def _step_in_macro(parameters: FloatArray, state: FloatArray, n_axles: int, now: float) -> float:
     """Do what 301 … 306 say and return the next state."""
-    system = system_place(n_axles)
     after = now
     if now == START_MACRO:
-        is_decided = state[system + IS_DECIDED] > 0.0
+        is_decided = state[IS_DECIDED] > 0.0
         set_all(state, n_axles, MACRO if is_decided else parameters[START])
         after = STORE_F0
     elif now == STORE_F0:
-        if state[system + N_MACRO] >= min(parameters[LEAST_AXLES], n_axles):
+        if state[N_MACRO] >= min(parameters[LEAST_AXLES], n_axles):
             after = AVERAGE
     elif now == AVERAGE:
         after = SUM_UP
     elif now == SUM_UP:
         after = HAS_SLID
     elif now == HAS_SLID:
-        after = IS_MACRO_BETTER if has_slid(parameters, state, system, n_axles) else SUM_UP
+        after = IS_MACRO_BETTER if has_slid(parameters, state, n_axles) else SUM_UP
     elif now == IS_MACRO_BETTER:
         after = START_MICRO
-        if is_macro_better(parameters, state, system):
-            was_decided = state[system + IS_DECIDED] > 0.0
+        if is_macro_better(parameters, state):
+            was_decided = state[IS_DECIDED] > 0.0
             after = parameters[RETURN_TO] if was_decided else START_MACRO
-        state[system + IS_DECIDED] = 1.0
+        state[IS_DECIDED] = 1.0
     return after
 
 
@@ -127,27 +124,26 @@ def _step_in_micro(
     parameters: FloatArray, state: FloatArray, n_axles: int, now: float, dt: float
 ) -> float:
     """Do what 307 … 314 say and return the next state."""
-    system = system_place(n_axles)
     after = now
     if now == START_MICRO:
         set_all(state, n_axles, MICRO)
-        state[system + TEST_CLOCK] = 0.0
+        state[TEST_CLOCK] = 0.0
         after = CHOOSE_TEST
     elif now == CHOOSE_TEST:
-        state[system + TEST_CLOCK] += dt
-        if parameters[RULE] == LOOKOUT or state[system + TEST_CLOCK] > parameters[TEST_PAUSE]:
+        state[TEST_CLOCK] += dt
+        if parameters[RULE] == LOOKOUT or state[TEST_CLOCK] > parameters[TEST_PAUSE]:
             n_chosen = choose_tests(parameters, state, n_axles)
-            state[system + TEST_CLOCK] = 0.0
+            state[TEST_CLOCK] = 0.0
             after = TEST if n_chosen > 0 else AVERAGE_RANGES
     elif now == TEST:
-        state[system + TEST_CLOCK] += dt
-        if parameters[DECIDE] == ALWAYS and are_macro_axles_better(parameters, state, system):
+        state[TEST_CLOCK] += dt
+        if parameters[DECIDE] == ALWAYS and are_macro_axles_better(parameters, state):
             after = START_MACRO
         elif is_test_over(parameters, state, n_axles):
             after = JUDGE_AXLE
     elif now == JUDGE_AXLE:
-        state[system + HAS_PASSED] = 1.0 if judge_tests(parameters, state, n_axles) else 0.0
-        after = AVERAGE_RANGES if state[system + HAS_PASSED] > 0.0 else AXLE_TO_MICRO
+        state[HAS_PASSED] = 1.0 if judge_tests(parameters, state, n_axles) else 0.0
+        after = AVERAGE_RANGES if state[HAS_PASSED] > 0.0 else AXLE_TO_MICRO
     elif now == AXLE_TO_MICRO:
         end_tests(parameters, state, n_axles)
         after = AVERAGE_RANGES
@@ -156,66 +152,65 @@ def _step_in_micro(
     elif now == SUM_UP_RANGES:
         after = COMPARE_RANGES
     elif now == COMPARE_RANGES:
-        after = compare_ranges(parameters, state, system)
+        after = compare_ranges(parameters, state)
     return after
 
 
 def set_range(state: FloatArray, axle: int, n_axles: int, slip_range: float) -> None:
     """Hold an axle in a range; if that is a change, its means begin anew."""
-    place = range_place(axle, n_axles)
+    place = axle_base(axle) + RANGE
     if state[place] != slip_range:
         state[place] = slip_range
-        state[axle_place(axle, n_axles) + RANGE_CLOCK] = 0.0
+        state[axle_base(axle) + RANGE_CLOCK] = 0.0
 
 
 def set_all(state: FloatArray, n_axles: int, slip_range: float) -> None:
     """Hold every axle in a range (301, 307); leading test axles stay in macro-slip."""
     for axle in range(n_axles):
-        block = axle_place(axle, n_axles)
+        block = axle_base(axle)
         is_lead = state[block + IS_LEAD] > 0.0
         set_range(state, axle, n_axles, MACRO if is_lead else slip_range)
         state[block + SLID] = 0.0
         state[block + IS_TESTED] = 0.0
 
 
-def has_slid(parameters: FloatArray, state: FloatArray, system: int, n_axles: int) -> bool:
+def has_slid(parameters: FloatArray, state: FloatArray, n_axles: int) -> bool:
     """Return whether the slid distance is enough for a decision on the system (305)."""
     distance = parameters[DECIDE_DISTANCE]
-    n_counted = state[system + N_MACRO]
+    n_counted = state[N_MACRO]
     is_enough: bool = (
         n_counted >= min(parameters[LEAST_AXLES], n_axles)
-        and state[system + MACRO_SLID] >= distance * n_counted
+        and state[MACRO_SLID] >= distance * n_counted
     )
     if parameters[RULE] == LOOKOUT:
-        slid = state[system + LEADER_SLID]
-        gains = rail_gets_clean(state, system, parameters[CLEAN_RETURN])
-        is_enough = state[system + FOLLOWER_FORCE] > 0.0 and slid >= distance
+        slid = state[LEADER_SLID]
+        gains = rail_gets_clean(state, parameters[CLEAN_RETURN])
+        is_enough = state[FOLLOWER_FORCE] > 0.0 and slid >= distance
         is_enough = is_enough or (gains and slid >= parameters[EARLY_DISTANCE])
     return is_enough
 
 
-def is_macro_better(parameters: FloatArray, state: FloatArray, system: int) -> bool:
+def is_macro_better(parameters: FloatArray, state: FloatArray) -> bool:
     """Return whether the system stays in macro-slip (306)."""
     if parameters[RULE] == LOOKOUT:
-        return rail_gets_clean(state, system, parameters[CLEAN_STAY])
-    is_better: bool = state[system + MACRO_FORCE] > parameters[K_SYSTEM] * state[system + MACRO_F0]
+        return rail_gets_clean(state, parameters[CLEAN_STAY])
+    is_better: bool = state[MACRO_FORCE] > parameters[K_SYSTEM] * state[MACRO_F0]
     return is_better
 
 
-def rail_gets_clean(state: FloatArray, system: int, factor: float) -> bool:
+def rail_gets_clean(state: FloatArray, factor: float) -> bool:
     """Return whether the follower reaches more force than the leader by a factor."""
-    gains: bool = state[system + FOLLOWER_FORCE] > factor * state[system + LEADER_FORCE] > 0.0
+    gains: bool = state[FOLLOWER_FORCE] > factor * state[LEADER_FORCE] > 0.0
     return gains
 
 
 def choose_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> int:
     """Begin a test (308) and return the number of test axles."""
-    system = system_place(n_axles)
-    state[system + TEST_NUMBER] += 1.0
+    state[TEST_NUMBER] += 1.0
     n_chosen = 0
     if parameters[RULE] == LOOKOUT:
         for axle in range(n_axles):
-            block = axle_place(axle, n_axles)
+            block = axle_base(axle)
             if state[block + IS_LEAD] > 0.0:
                 begin_test(state, axle, n_axles)
                 n_chosen += 1
@@ -231,11 +226,11 @@ def choose_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> int
 
 def begin_test(state: FloatArray, axle: int, n_axles: int) -> None:
     """Put an axle into its test phase, in macro-slip."""
-    block = axle_place(axle, n_axles)
+    block = axle_base(axle)
     set_range(state, axle, n_axles, MACRO)
     state[block + SLID] = 0.0
     state[block + IS_TESTED] = 1.0
-    state[block + TESTED_AT] = state[system_place(n_axles) + TEST_NUMBER]
+    state[block + TESTED_AT] = state[TEST_NUMBER]
 
 
 def tested_longest_ago(state: FloatArray, n_axles: int) -> int:
@@ -243,8 +238,8 @@ def tested_longest_ago(state: FloatArray, n_axles: int) -> int:
     chosen = -1
     oldest = 0.0
     for axle in range(n_axles):
-        block = axle_place(axle, n_axles)
-        is_fit = state[range_place(axle, n_axles)] == MICRO and state[block + RANGE_CLOCK] > 0.0
+        block = axle_base(axle)
+        is_fit = state[axle_base(axle) + RANGE] == MICRO and state[block + RANGE_CLOCK] > 0.0
         if is_fit and (chosen < 0 or state[block + TESTED_AT] < oldest):
             chosen = axle
             oldest = state[block + TESTED_AT]
@@ -253,14 +248,13 @@ def tested_longest_ago(state: FloatArray, n_axles: int) -> int:
 
 def is_test_over(parameters: FloatArray, state: FloatArray, n_axles: int) -> bool:
     """Return whether every test axle has slid far enough, or time is up (309)."""
-    system = system_place(n_axles)
-    if state[system + TEST_CLOCK] > parameters[TEST_TIME]:
+    if state[TEST_CLOCK] > parameters[TEST_TIME]:
         return True
     if parameters[RULE] == LOOKOUT:
-        has_led: bool = state[system + LEADER_SLID] >= parameters[TEST_DISTANCE]
+        has_led: bool = state[LEADER_SLID] >= parameters[TEST_DISTANCE]
         return has_led
     for axle in range(n_axles):
-        block = axle_place(axle, n_axles)
+        block = axle_base(axle)
         if state[block + IS_TESTED] > 0.0 and state[block + SLID] < parameters[TEST_DISTANCE]:
             return False
     return True
@@ -269,9 +263,9 @@ def is_test_over(parameters: FloatArray, state: FloatArray, n_axles: int) -> boo
 def judge_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> bool:
     """Return whether every test axle is better off in macro-slip (310)."""
     if parameters[RULE] == LOOKOUT:
-        return rail_gets_clean(state, system_place(n_axles), parameters[CLEAN_RETURN])
+        return rail_gets_clean(state, parameters[CLEAN_RETURN])
     for axle in range(n_axles):
-        block = axle_place(axle, n_axles)
+        block = axle_base(axle)
         if state[block + IS_TESTED] > 0.0 and not is_axle_better(parameters, state, block):
             return False
     return True
@@ -286,30 +280,30 @@ def is_axle_better(parameters: FloatArray, state: FloatArray, block: int) -> boo
 def end_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     """Put the test axles that are not better off back into micro-slip (311)."""
     for axle in range(n_axles):
-        block = axle_place(axle, n_axles)
+        block = axle_base(axle)
         if state[block + IS_TESTED] > 0.0 and state[block + IS_LEAD] == 0.0:
             if not is_axle_better(parameters, state, block):
                 set_range(state, axle, n_axles, MICRO)
             state[block + IS_TESTED] = 0.0
 
 
-def are_macro_axles_better(parameters: FloatArray, state: FloatArray, system: int) -> bool:
+def are_macro_axles_better(parameters: FloatArray, state: FloatArray) -> bool:
     """Return whether the system goes back to macro-slip (314)."""
     if parameters[RULE] == LOOKOUT:
-        return rail_gets_clean(state, system, parameters[CLEAN_RETURN])
-    macro = state[system + MACRO_FORCE] * state[system + N_MICRO]
-    micro = state[system + MICRO_FORCE] * state[system + N_MACRO]
+        return rail_gets_clean(state, parameters[CLEAN_RETURN])
+    macro = state[MACRO_FORCE] * state[N_MICRO]
+    micro = state[MICRO_FORCE] * state[N_MACRO]
     are_better: bool = macro > parameters[RETURN_MARGIN] * micro > 0.0
     return are_better
 
 
-def compare_ranges(parameters: FloatArray, state: FloatArray, system: int) -> float:
+def compare_ranges(parameters: FloatArray, state: FloatArray) -> float:
     """Return the state after 314: back to macro, all to micro (claim 7), or the next test."""
-    if are_macro_axles_better(parameters, state, system):
+    if are_macro_axles_better(parameters, state):
         return START_MACRO
     if parameters[IS_SYMMETRIC] > 0.0 and parameters[RULE] != LOOKOUT:
-        macro = state[system + MACRO_FORCE] * state[system + N_MICRO]
-        micro = state[system + MICRO_FORCE] * state[system + N_MACRO]
+        macro = state[MACRO_FORCE] * state[N_MICRO]
+        micro = state[MICRO_FORCE] * state[N_MACRO]
         if micro > parameters[RETURN_MARGIN] * macro > 0.0:
             return START_MICRO
     return CHOOSE_TEST

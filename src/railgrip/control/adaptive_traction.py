@@ -11,39 +11,18 @@ from __future__ import annotations
 
 from typing import Any
 
-from railgrip.control.adaptive_parameters import (
-    SCALE,
-    UNSCALED,
-    check_supervision,
-)
+from railgrip.control.adaptive_parameters import SCALE, UNSCALED, check_supervision
 from railgrip.control.adaptive_round import begin_supervision, time_to_look
-from railgrip.control.adaptive_state import (
-    F0,
-    FACTOR,
-    IS_ARMED,
-    STATE,
-    axle_place,
-    system_place,
-)
+from railgrip.control.adaptive_state import F0, FACTOR, IS_ARMED, RANGE, STATE
 from railgrip.control.adaptive_supervisor import supervise
 from railgrip.control.contract import MACRO, MICRO, SLIP_RANGE, WSP_STATE, FloatArray
-from railgrip.control.conventional_state import (
-    ACCELERATION,
-    DECELERATION,
-    REFERENCE,
-    SPEED,
-    axle_base,
-)
+from railgrip.control.conventional_state import ACCELERATION, DECELERATION, REFERENCE, SPEED
 from railgrip.control.driving_reference import is_driving
 from railgrip.control.observed_forces import clear_sums, leave_out, weigh_axle
-from railgrip.control.peak_seeking_traction import (
-    check_search,
-    hold_at_peak,
-    peak_seeking_initial,
-)
+from railgrip.control.peak_seeking_traction import check_search, hold_at_peak, peak_seeking_initial
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
-from railgrip.control.slip_ranges import range_place
+from railgrip.control.state_layout import axle_base, state_size
 from railgrip.control.traction_common import (
     acts_on,
     agree,
@@ -58,15 +37,7 @@ from railgrip.control.traction_parameters import (
     SUPERVISION,
     AdaptiveTractionParameters,
 )
-from railgrip.control.traction_state import (
-    FORCE,
-    LOAD,
-    LOOKING,
-    SHARE,
-    own_base,
-    state_size,
-    train_base,
-)
+from railgrip.control.traction_state import FORCE, LOAD, LOOKING, SHARE
 from railgrip.core.errors import Problem, RailgripError
 
 WHOLE = 0.999
@@ -85,8 +56,8 @@ def adaptive_traction_initial(
     for axle in range(n_axles):
         factor = 1.0
         if supervision[SCALE] != UNSCALED:
-            factor = state[own_base(n_axles, 0) + LOAD] / state[own_base(n_axles, axle) + LOAD]
-        state[axle_place(axle, n_axles) + FACTOR] = factor
+            factor = state[axle_base(0) + LOAD] / state[axle_base(axle) + LOAD]
+        state[axle_base(axle) + FACTOR] = factor
     begin_supervision(supervision, state, n_axles, 0.0)
 
 
@@ -106,24 +77,24 @@ def look_at_forces(
     dt : float
         Time since the last look, [s].
     """
-    clear_sums(state, n_axles)
+    clear_sums(state)
     n_lead = 0.0
     for axle in range(n_axles):
         base = axle_base(axle)
-        is_free = state[train_base(n_axles) + LOOKING] == axle + 1.0
+        is_free = state[LOOKING] == axle + 1.0
         if is_free or not acts_on(axle_setup, state, axle):
-            leave_out(state, axle, n_axles)
+            leave_out(state, axle)
             continue
-        own = own_base(n_axles, axle)
+        own = axle_base(axle)
         force = state[own + FORCE]
         spin = state[base + SPEED] - state[REFERENCE]
         if state[own + SHARE] >= WHOLE and spin < ADHERING:
             # the effort bounds its force, not the rail: what it once had says nothing of this rail
-            state[axle_place(axle, n_axles) + F0] = 0.0
-            state[axle_place(axle, n_axles) + IS_ARMED] = 1.0
+            state[axle_base(axle) + F0] = 0.0
+            state[axle_base(axle) + IS_ARMED] = 1.0
         growth = state[base + ACCELERATION] + state[DECELERATION]
         n_lead = weigh_axle(
-            supervision, state, axle, n_axles, n_lead, force, spin, growth, state[REFERENCE], dt
+            supervision, state, axle, n_lead, force, spin, growth, state[REFERENCE], dt
         )
 
 
@@ -150,25 +121,25 @@ def adaptive_traction_kernel(
         brake_conventionally(parameters, axle_setup, state, measured, command, dt)
         command[0, WSP_STATE] = 0.0
         for axle in range(n_axles):
-            leave_out(state, axle, n_axles)
+            leave_out(state, axle)
             command[axle, SLIP_RANGE] = 0.0
         return
     observe_while_driving(parameters, axle_setup, state, measured, dt)
     supervision = parameters[SUPERVISION:]
-    look = time_to_look(supervision, state, n_axles, dt)
+    look = time_to_look(supervision, state, dt)
     if look > 0.0:
         look_at_forces(supervision, axle_setup, state, n_axles, look)
-        command[0, WSP_STATE] = state[system_place(n_axles) + STATE]
+        command[0, WSP_STATE] = state[STATE]
         supervise(supervision, state, n_axles, look)
     for axle in range(n_axles):
         share = 1.0
         if acts_on(axle_setup, state, axle):
-            if state[range_place(axle, n_axles)] == MICRO:
+            if state[axle_base(axle) + RANGE] == MICRO:
                 share = hold_at_peak(parameters, axle_setup, state, measured, axle, dt)
             else:
                 share = spin_deep(parameters, axle_setup, state, measured, axle)
         command_motor(parameters, state, measured, command, axle, share, dt)
-        command[axle, SLIP_RANGE] = state[range_place(axle, n_axles)]
+        command[axle, SLIP_RANGE] = state[axle_base(axle) + RANGE]
     agree(axle_setup, state, command, n_axles)
 
 

@@ -24,27 +24,13 @@ from railgrip.control.adaptive_parameters import (
     check_supervision,
 )
 from railgrip.control.adaptive_round import begin_supervision, time_to_look
-from railgrip.control.adaptive_state import (
-    FACTOR,
-    STATE,
-    adaptive_state_size,
-    axle_place,
-    system_place,
-)
+from railgrip.control.adaptive_state import FACTOR, STATE
 from railgrip.control.adaptive_supervisor import supervise
-from railgrip.control.contract import (
-    AXLE_LOAD,
-    MOTORED,
-    WSP_STATE,
-    FloatArray,
-)
+from railgrip.control.contract import AXLE_LOAD, MOTORED, WSP_STATE, FloatArray
 from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.plain_form import KernelController
-from railgrip.control.slip_ranges import (
-    check_bands,
-    observe_in_ranges,
-    protect_in_ranges,
-)
+from railgrip.control.slip_ranges import check_bands, observe_in_ranges, protect_in_ranges
+from railgrip.control.state_layout import axle_base, state_size
 
 
 def adaptive_initial(
@@ -57,7 +43,7 @@ def adaptive_initial(
         factor = parameters[MOTORED_FACTOR] if axle_setup[axle, MOTORED] > 0.0 else 1.0
         if parameters[SCALE] == BY_LOAD:
             factor *= axle_setup[0, AXLE_LOAD] / axle_setup[axle, AXLE_LOAD]
-        state[axle_place(axle, n_axles) + FACTOR] = factor
+        state[axle_base(axle) + FACTOR] = factor
     begin_supervision(parameters, state, n_axles, parameters[LEAD_AXLES])
 
 
@@ -72,10 +58,10 @@ def adaptive_kernel(
     """Advance the protection by one period; arguments as in the controller contract."""
     n_axles = measured.shape[0]
     observe_in_ranges(parameters, axle_setup, state, measured, dt)
-    look = time_to_look(parameters, state, n_axles, dt)
+    look = time_to_look(parameters, state, dt)
     if look > 0.0:
-        weigh_axles(parameters, axle_setup, state, measured, look)
-        command[0, WSP_STATE] = state[system_place(n_axles) + STATE]
+        weigh_axles(parameters, state, n_axles, look)
+        command[0, WSP_STATE] = state[STATE]
         supervise(parameters, state, n_axles, look)
     protect_in_ranges(parameters, axle_setup, state, measured, command, dt)
 
@@ -103,7 +89,7 @@ class AdaptiveWSP(KernelController):
 
     kernel = staticmethod(adaptive_kernel)
     initial = staticmethod(adaptive_initial)
-    state_size = staticmethod(adaptive_state_size)
+    state_size = staticmethod(state_size)
 
     def __init__(self, parameters: Any = None, *, period: float = 0.01) -> None:
         parameters = AdaptiveParameters() if parameters is None else parameters

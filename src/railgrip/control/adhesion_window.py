@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from railgrip.control.axle_forces import applied_force
 from railgrip.control.contract import FloatArray
+from railgrip.control.conventional_state import SPEED
+from railgrip.control.state_layout import GROUP, group_base, groups, in_group
 from railgrip.control.temperature_state import (
     FORCE_BEFORE,
     FRICTION,
@@ -15,25 +18,20 @@ from railgrip.control.temperature_state import (
 
 
 def observe_friction(
-    state: FloatArray, own: int, sample: int, length: int, speed: float, applied: float,
-    dt: float, per_time: float,
-) -> None:  # fmt: skip
-    """Update the observed force of one axle in the state.
+    state: FloatArray, n_axles: int, sample: int, length: int, dt: float, per_time: float
+) -> None:
+    """Update the observed force of every axle in the state.
 
     Parameters
     ----------
     state : ndarray
-        As in the controller contract.
-    own : int
-        Where the axle's own block begins.
+        As in the controller contract; what is measured has been put into it.
+    n_axles : int
+        Number of axles.
     sample : int
         Number of this sample since the controller began.
     length : int
         Samples in the window, below `N_WINDOW` and not more than there have been before.
-    speed : float
-        Of the wheel, [m/s].
-    applied : float
-        Sum of brake and motor forces at the tread now, driving positive, [N].
     dt, per_time : float
         Period [s]; one over the length of the window, [1/s].
 
@@ -43,15 +41,21 @@ def observe_friction(
     F = (∫F* dt − m_r Δw)/Δt, and μ* M g = |F|. Speeds come one period late, so the forces of one
     period ago are put beside them. It lags by half the window and that period.
     """
-    state[own + IMPULSE] += state[own + FORCE_BEFORE] * dt
-    state[own + FORCE_BEFORE] = applied
-    now = sample & (N_WINDOW - 1)
-    state[own + SPEEDS + now] = speed
-    state[own + IMPULSES + now] = state[own + IMPULSE]
-    if length < 1:
-        state[own + FRICTION] = applied
-        return
-    then = (sample - length) & (N_WINDOW - 1)
-    gained = state[own + MASS] * (speed - state[own + SPEEDS + then])
-    given = state[own + IMPULSE] - state[own + IMPULSES + then]
-    state[own + FRICTION] = (given - gained) * per_time
+    now = (sample & (N_WINDOW - 1)) * GROUP
+    then = ((sample - length) & (N_WINDOW - 1)) * GROUP
+    for group in range(groups(n_axles)):
+        # one loop for each step: places that depend on the sample keep larger ones from packing
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            state[base + IMPULSE] += state[base + FORCE_BEFORE] * dt
+            state[base + FORCE_BEFORE] = applied_force(state, base)
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            state[base + SPEEDS + now] = state[base + SPEED]
+            state[base + IMPULSES + now] = state[base + IMPULSE]
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            gained = state[base + MASS] * (state[base + SPEED] - state[base + SPEEDS + then])
+            given = state[base + IMPULSE] - state[base + IMPULSES + then]
+            observed = (given - gained) * per_time
+            state[base + FRICTION] = observed if length > 0 else state[base + FORCE_BEFORE]

@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
-from railgrip.control.contract import (
-    BRAKED,
-    CYLINDER_PRESSURE,
-    DYNAMIC_FORCE,
-    FIRST_PRESSURE,
-    FULL_PRESSURE,
-    FloatArray,
-)
-from railgrip.control.temperature_state import FORCE_PER_PRESSURE
+from railgrip.control.contract import FIRST_PRESSURE, FULL_PRESSURE, FloatArray
+from railgrip.control.conventional_state import DYNAMIC, IS_BRAKED, PRESSURE
+from railgrip.control.temperature_state import FIRST, FORCE_PER_PRESSURE
 
 NOMINAL_PRESSURE = 3.0e5
 """Cylinder pressure at full demand where the vehicle does not tell it, Pa."""
 
 
-def pressure_for(
-    axle_setup: FloatArray, state: FloatArray, own: int, axle: int, force: float
-) -> float:
+def pressure_for(state: FloatArray, base: int, force: float) -> float:
     """Return the cylinder pressure that gives a friction brake force at the tread, [Pa]."""
-    if force <= 0.0:
-        return 0.0
-    pressure: float = pressures(axle_setup, axle)[0] + force / state[own + FORCE_PER_PRESSURE]
-    return pressure
+    per_pressure = state[base + FORCE_PER_PRESSURE]
+    over: float = force / (per_pressure if per_pressure > 0.0 else 1.0)
+    return state[base + FIRST] + over if force > 0.0 else 0.0
 
 
 def pressures(axle_setup: FloatArray, axle: int) -> tuple[float, float]:
@@ -40,31 +31,22 @@ def force_per_pressure(axle_setup: FloatArray, axle: int, full_force: float) -> 
     return full_force / (full - first)
 
 
-def friction_brake_force(
-    axle_setup: FloatArray, state: FloatArray, own: int, axle: int, pressure: float
-) -> float:
-    """Return the friction brake force that a cylinder pressure gives, [N]."""
-    over = max(pressure - pressures(axle_setup, axle)[0], 0.0)
-    force: float = state[own + FORCE_PER_PRESSURE] * over
-    return force if force < 1.0e6 else 0.0
-
-
-def applied_force(
-    axle_setup: FloatArray, state: FloatArray, own: int, measured: FloatArray, axle: int
-) -> float:
+def applied_force(state: FloatArray, base: int) -> float:
     """Return what brakes and motor apply at the tread now, driving positive, [N]."""
-    friction = 0.0
-    if axle_setup[axle, BRAKED] > 0.0:
-        pressure = measured[axle, CYLINDER_PRESSURE]
-        friction = friction_brake_force(axle_setup, state, own, axle, pressure)
-    applied: float = -friction - measured[axle, DYNAMIC_FORCE]
+    over = max(state[base + PRESSURE] - state[base + FIRST], 0.0)
+    force = state[base + FORCE_PER_PRESSURE] * over
+    works = state[base + IS_BRAKED] > 0.0 and force < 1.0e6
+    friction = force if works else 0.0
+    applied: float = -friction - state[base + DYNAMIC]
     return applied
 
 
-def motor_force(
-    axle_setup: FloatArray, axle: int, wheel: float, effort_column: int, least: float
-) -> float:
-    """Return what the motor can give at this wheel speed: effort, or power over speed, [N]."""
-    power = axle_setup[axle, effort_column + 1]
-    force: float = min(axle_setup[axle, effort_column], power / max(wheel, least))
-    return force
+def motor_force(effort: float, power: float, wheel: float, least: float) -> float:
+    """Return what the motor can give at this wheel speed: effort, or power over speed, [N].
+
+    Examples
+    --------
+    >>> motor_force(60e3, 500e3, 20.0, 1.0)
+    25000.0
+    """
+    return min(effort, power / max(wheel, least))

@@ -2,37 +2,33 @@
 
 from __future__ import annotations
 
-from railgrip.control.contract import (
-    ALARM,
-    BRAKED,
-    DUMP_VALVE,
-    DYNAMIC_FORCE,
-    DYNAMIC_SHARE,
-    FILL,
-    HOLD,
-    IS_SLIDING,
-    MOTORED,
-    SANDING,
-    VENT,
-    FloatArray,
-)
-from railgrip.control.conventional_parameters import DYNAMIC_LEAST_FORCE, INHIBIT_SPEED
+from railgrip.control.axle_signals import give_command, take_command
+from railgrip.control.contract import FILL, HOLD, VENT, FloatArray
+from railgrip.control.conventional_parameters import ConventionalParameters, conventional_of
 from railgrip.control.conventional_state import (
     ACCELERATION,
+    ALARM_NOW,
+    BAND_LOWER,
+    BAND_UPPER,
     DECELERATION,
     DIAMETER,
+    DYNAMIC,
+    DYNAMIC_PERMITTED,
     FREED_AXLE,
+    IS_BRAKED,
     IS_FAULTY,
+    IS_MOTORED,
     REFERENCE,
     SAFETY_FILL,
-    SLIDES,
+    SANDS,
     SPEED,
-    axle_base,
+    VALVE,
 )
 from railgrip.control.dynamic_handover import hand_over
 from railgrip.control.safety_timer import watch_release
 from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, wish
+from railgrip.control.state_layout import axle_base, group_base, groups, in_group
 from railgrip.control.stepped_filling import step_filling
 
 ALARM_SENSOR = 1.0
@@ -44,63 +40,72 @@ NOTED_CORRECTION = 0.015
 
 def axle_alarm(state: FloatArray, base: int) -> float:
     """Return what is wrong with an axle: 1 sensor, 2 safety timer, 3 wheel diameter; 0 nothing."""
-    if state[base + IS_FAULTY] > 0.0:
-        return ALARM_SENSOR
-    if state[base + SAFETY_FILL] > 0.0:
-        return ALARM_SAFETY_TIMER
-    return ALARM_DIAMETER if abs(state[base + DIAMETER] - 1.0) > NOTED_CORRECTION else 0.0
+    alarm = ALARM_DIAMETER if abs(state[base + DIAMETER] - 1.0) > NOTED_CORRECTION else 0.0
+    alarm = ALARM_SAFETY_TIMER if state[base + SAFETY_FILL] > 0.0 else alarm
+    return ALARM_SENSOR if state[base + IS_FAULTY] > 0.0 else alarm
 
 
-def protect_axle(
-    parameters: FloatArray,
-    axle_setup: FloatArray,
-    state: FloatArray,
-    measured: FloatArray,
-    command: FloatArray,
-    axle: int,
-    lower: float,
-    upper: float,
-    dt: float,
+def freed_place(state: FloatArray) -> int:
+    """Return where the values of the axle begin that is let run free; -1 for none."""
+    freed = int(state[FREED_AXLE])
+    return axle_base(freed - 1) if freed > 0 else -1
+
+
+def protect_axles(
+    parameters: FloatArray, state: FloatArray, command: FloatArray, dt: float
 ) -> None:
-    """Write the command of one axle.
+    """Write the command of every axle; its thresholds have been put into the state.
 
     Parameters
     ----------
-    parameters, axle_setup, state, measured, command : ndarray
+    parameters, state, command : ndarray
         As in the controller contract.
-    axle : int
-        Row of the axle.
-    lower, upper : float
-        Slip speeds at the thresholds of the band, [m/s].
     dt : float
         Period, [s].
     """
-    base = axle_base(axle)
-    wished = FILL
-    slip_speed = 0.0
-    is_protected = state[base + IS_FAULTY] == 0.0 and state[REFERENCE] >= parameters[INHIBIT_SPEED]
-    if is_protected:
-        slip_speed = state[REFERENCE] - state[base + SPEED]
-        relative = state[base + ACCELERATION] + state[DECELERATION]
-        wished = wish(parameters, slip_speed, relative, lower, upper)
+    n_axles = command.shape[0]
+    own = conventional_of(parameters)
+    reference = state[REFERENCE]
+    deceleration = state[DECELERATION]
+    freed = freed_place(state)
+    take_command(state, command)
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            axle = group_base(group) + i
+            _protect(own, state, axle, reference, deceleration, axle == freed, dt)
+    give_command(state, command)
+
+
+def _protect(
+    parameters: ConventionalParameters,
+    state: FloatArray,
+    base: int,
+    reference: float,
+    deceleration: float,
+    is_freed: bool,
+    dt: float,
+) -> None:
+    """Put the command of one axle into the state: without branches, for packed arithmetic."""
+    lower, upper = state[base + BAND_LOWER], state[base + BAND_UPPER]
+    works = reference >= parameters.inhibit_speed
+    is_protected = works and state[base + IS_FAULTY] == 0.0
+    slip_speed = reference - state[base + SPEED] if is_protected else 0.0
+    relative = state[base + ACCELERATION] + deceleration
+    wished = wish(parameters.lead_time, slip_speed, relative, lower, upper)
+    wished = wished if is_protected else FILL
     note_slide(state, base, wished, slip_speed, lower, dt)
-    if is_protected and state[FREED_AXLE] == axle + 1.0:
-        wished = VENT
-    must_fill = watch_release(
-        parameters, state, base, measured, axle, command[axle, DUMP_VALVE], dt
-    )
-    if must_fill:
-        wished = FILL
+    wished = VENT if is_protected and is_freed else wished
+    must_fill = watch_release(parameters, state, base, state[base + VALVE], dt)
+    wished = FILL if must_fill else wished
     valve = step_filling(parameters, state, base, wished, dt)
-    if axle_setup[axle, MOTORED] > 0.0:
-        force = measured[axle, DYNAMIC_FORCE]
-        share = command[axle, DYNAMIC_SHARE]
-        if valve == VENT and share > 0.0 and force > parameters[DYNAMIC_LEAST_FORCE]:
-            valve = HOLD
-        command[axle, DYNAMIC_SHARE] = hand_over(
-            parameters, state, base, wished == VENT, force, share, dt
-        )
-    command[axle, DUMP_VALVE] = valve if axle_setup[axle, BRAKED] > 0.0 else FILL
-    command[axle, SANDING] = request_sand(parameters, state, base, dt)
-    command[axle, IS_SLIDING] = state[base + SLIDES]
-    command[axle, ALARM] = axle_alarm(state, base)
+    is_motored = state[base + IS_MOTORED] > 0.0
+    force = state[base + DYNAMIC]
+    share = state[base + DYNAMIC_PERMITTED]
+    # the motor goes out first, then the valve works
+    is_motors_turn = is_motored and share > 0.0 and force > parameters.dynamic_least_force
+    valve = HOLD if is_motors_turn and valve == VENT else valve
+    after = hand_over(parameters, state, base, wished == VENT, force, share, dt)
+    state[base + DYNAMIC_PERMITTED] = after if is_motored else share
+    state[base + VALVE] = valve if state[base + IS_BRAKED] > 0.0 else FILL
+    state[base + SANDS] = request_sand(parameters, state, base, reference, dt)
+    state[base + ALARM_NOW] = axle_alarm(state, base)

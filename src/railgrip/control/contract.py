@@ -246,7 +246,7 @@ def setup_array(setup: Setup) -> FloatArray:
     >>> float(setup_array(setup)[1, BELIEVED_RADIUS])
     0.45
     """
-    array = np.empty((setup.n_axles, N_SETUP))
+    array = np.empty((setup.n_axles, N_SETUP), order="F")
     array[:, BELIEVED_RADIUS] = setup.wheel_radius
     array[:, MOTORED] = setup.motored
     array[:, BRAKED] = setup.braked
@@ -269,7 +269,7 @@ def measured_array(measured: Measured) -> FloatArray:
     >>> float(measured_array(Measured(one, one, one, 0.8, 0.0))[0, BRAKE_DEMAND])
     0.8
     """
-    array = np.empty((len(measured.wheel_speed), N_MEASURED))
+    array = np.empty((len(measured.wheel_speed), N_MEASURED), order="F")
     array[:, WHEEL_SPEED] = measured.wheel_speed
     array[:, CYLINDER_PRESSURE] = measured.brake_cylinder_pressure
     array[:, DYNAMIC_FORCE] = measured.dynamic_force
@@ -288,7 +288,7 @@ def command_array(n_axles: int) -> FloatArray:
     >>> float(command[3, DUMP_VALVE]), float(command[3, DYNAMIC_SHARE])
     (0.0, 1.0)
     """
-    array = np.zeros((n_axles, N_COMMAND))
+    array = np.zeros((n_axles, N_COMMAND), order="F")
     array[:, DUMP_VALVE] = FILL
     array[:, DYNAMIC_SHARE] = 1.0
     array[:, FRICTION_SHARE] = 1.0

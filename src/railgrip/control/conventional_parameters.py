@@ -172,3 +172,54 @@ EMPTY_PRESSURE: Final = _place("empty_pressure")
 SAND_ABOVE: Final = _place("sand_above")
 SAND_AFTER: Final = _place("sand_after")
 SAND_TIME: Final = _place("sand_time")
+
+
+def conventional_of(parameters: NDArray[np.float64]) -> ConventionalParameters:
+    """Return by name what stands first in the array that a kernel reads.
+
+    A loop over the axles takes them so: read before it, they are numbers that nothing in it can
+    change, where an array might overlap with the state.
+
+    Examples
+    --------
+    >>> conventional_of(parameter_array(ConventionalParameters())) == ConventionalParameters()
+    True
+    """
+    return ConventionalParameters(
+        slip_lower=parameters[SLIP_LOWER],
+        slip_upper=parameters[SLIP_UPPER],
+        slip_speed_lower_floor=parameters[SLIP_SPEED_LOWER_FLOOR],
+        slip_speed_upper_floor=parameters[SLIP_SPEED_UPPER_FLOOR],
+        lead_time=parameters[LEAD_TIME],
+        acceleration_filter=parameters[ACCELERATION_FILTER],
+        fill_pulse=parameters[FILL_PULSE],
+        fill_hold=parameters[FILL_HOLD],
+        settle_time=parameters[SETTLE_TIME],
+        inhibit_speed=parameters[INHIBIT_SPEED],
+        safety_time=parameters[SAFETY_TIME],
+        rotating_share=parameters[ROTATING_SHARE],
+        deceleration_per_pressure=parameters[DECELERATION_PER_PRESSURE],
+        pressure_per_force=parameters[PRESSURE_PER_FORCE],
+        slope_filter=parameters[SLOPE_FILTER],
+        reference_margin=parameters[REFERENCE_MARGIN],
+        reference_rise=parameters[REFERENCE_RISE],
+        drift_rate=parameters[DRIFT_RATE],
+        drift_share=parameters[DRIFT_SHARE],
+        drift_floor=parameters[DRIFT_FLOOR],
+        free_longest=parameters[FREE_LONGEST],
+        dynamic_least_force=parameters[DYNAMIC_LEAST_FORCE],
+        dynamic_release_time=parameters[DYNAMIC_RELEASE_TIME],
+        dynamic_return_time=parameters[DYNAMIC_RETURN_TIME],
+        dynamic_return_after=parameters[DYNAMIC_RETURN_AFTER],
+        diameter_time=parameters[DIAMETER_TIME],
+        diameter_bound=parameters[DIAMETER_BOUND],
+        diameter_least_speed=parameters[DIAMETER_LEAST_SPEED],
+        dead_speed=parameters[DEAD_SPEED],
+        dead_time=parameters[DEAD_TIME],
+        dead_reference=parameters[DEAD_REFERENCE],
+        frozen_time=parameters[FROZEN_TIME],
+        empty_pressure=parameters[EMPTY_PRESSURE],
+        sand_above=parameters[SAND_ABOVE],
+        sand_after=parameters[SAND_AFTER],
+        sand_time=parameters[SAND_TIME],
+    )

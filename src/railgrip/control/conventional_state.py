@@ -1,11 +1,10 @@
-"""What the conventional WSP remembers: the places in its flat state array.
-
-First the values of the train, then one block an axle: ``state[axle_base(axle) + SPEED]``.
-"""
+"""What the conventional WSP remembers: its places in the state array (`state_layout`)."""
 
 from __future__ import annotations
 
 from typing import Final
+
+from railgrip.control.state_layout import GROUP
 
 # The train.
 REFERENCE: Final = 0  # the train's speed as believed, m/s
@@ -20,52 +19,41 @@ SEEN_TIME: Final = 8  # time since then, s
 EXPECTED_FALL: Final = 9  # fall of the speed since then by the estimate, m/s
 FREED_AXLE: Final = 10  # 1 + the axle that is let run free, 0 for none
 FREED_TIME: Final = 11  # how long it has been free, s
-N_TRAIN: Final = 12
 
 # Each axle.
-SPEED: Final = 0  # wheel speed, compensated for the diameter, m/s
-SPEED_LAG: Final = 1  # the same through the acceleration filter, m/s
-ACCELERATION: Final = 2  # of the wheel, m/s²
-DIAMETER: Final = 3  # factor on the measured speed
-IS_FAULTY: Final = 4  # 1 while the sensor is not believed
-DEAD_CLOCK: Final = 5  # how long the sensor has looked dead, s
-SLIDES: Final = 6  # 1 from the first wish to vent until the axle adheres again
-ADHERED_CLOCK: Final = 7  # time since slip was last over the lower threshold, s
-SETTLED_CLOCK: Final = 8  # time an unbraked wheel has not turned faster, s
-FILL_CLOCK: Final = 9  # place in the pattern of stepped filling, s
-KEPT_CLOCK: Final = 10  # time released without turning faster, s
-SAFETY_FILL: Final = 11  # 1 after the safety timer ran out, until the wheel is alive
-HANDED_OVER: Final = 12  # 1 while the dynamic brake is handed over to the friction brake
-SAND_CLOCK: Final = 13  # > 0: sand is asked for so much longer; < 0: time slid so far, s
-WITNESS_CLOCK: Final = 14  # time the wheel has turned at the reference speed, s
-LAST_READING: Final = 15  # what the sensor read last, m/s
-FROZEN_CLOCK: Final = 16  # how long a braked wheel has read the very same, s
-LAST_STEP: Final = 17  # by how much the reading changed in the last period, m/s
-ROUGHNESS: Final = 18  # mean change of that change, m/s: what noise makes and no wheel does
-LEAD_CLOCK: Final = 19  # how long the wheel has led wheels that show the train, s
-VOTE_CLOCK: Final = 20  # how long an unbraked wheel has mostly not turned faster, s
-CORRECTIONS: Final = 21  # how often other wheels have corrected the diameter in this braking
-STRANGE_CLOCK: Final = 22  # how long the sensor has read what no pulling wheel shows, s
-N_AXLE: Final = 23
-
-
-def axle_base(axle: int) -> int:
-    """Return where the block of an axle begins.
-
-    Examples
-    --------
-    >>> axle_base(0), axle_base(2)
-    (12, 58)
-    """
-    return N_TRAIN + axle * N_AXLE
-
-
-def state_size(n_axles: int) -> int:
-    """Return the length of the state array.
-
-    Examples
-    --------
-    >>> state_size(16)
-    380
-    """
-    return N_TRAIN + n_axles * N_AXLE
+SPEED: Final = 0 * GROUP  # wheel speed, compensated for the diameter, m/s
+SPEED_LAG: Final = 1 * GROUP  # the same through the acceleration filter, m/s
+ACCELERATION: Final = 2 * GROUP  # of the wheel, m/s²
+DIAMETER: Final = 3 * GROUP  # factor on the measured speed
+IS_FAULTY: Final = 4 * GROUP  # 1 while the sensor is not believed
+DEAD_CLOCK: Final = 5 * GROUP  # how long the sensor has looked dead, s
+SLIDES: Final = 6 * GROUP  # 1 from the first wish to vent until the axle adheres again
+ADHERED_CLOCK: Final = 7 * GROUP  # time since slip was last over the lower threshold, s
+SETTLED_CLOCK: Final = 8 * GROUP  # time an unbraked wheel has not turned faster, s
+FILL_CLOCK: Final = 9 * GROUP  # place in the pattern of stepped filling, s
+KEPT_CLOCK: Final = 10 * GROUP  # time released without turning faster, s
+SAFETY_FILL: Final = 11 * GROUP  # 1 after the safety timer ran out, until the wheel is alive
+HANDED_OVER: Final = 12 * GROUP  # 1 while the dynamic brake is handed over to the friction brake
+SAND_CLOCK: Final = 13 * GROUP  # > 0: sand is asked for so much longer; < 0: time slid so far, s
+WITNESS_CLOCK: Final = 14 * GROUP  # time the wheel has turned at the reference speed, s
+LAST_READING: Final = 15 * GROUP  # what the sensor read last, m/s
+FROZEN_CLOCK: Final = 16 * GROUP  # how long a braked wheel has read the very same, s
+LAST_STEP: Final = 17 * GROUP  # by how much the reading changed in the last period, m/s
+ROUGHNESS: Final = 18 * GROUP  # mean change of that change, m/s: what noise makes and no wheel does
+LEAD_CLOCK: Final = 19 * GROUP  # how long the wheel has led wheels that show the train, s
+VOTE_CLOCK: Final = 20 * GROUP  # how long an unbraked wheel has mostly not turned faster, s
+CORRECTIONS: Final = 21 * GROUP  # corrections of the diameter by other wheels in this braking
+STRANGE_CLOCK: Final = 22 * GROUP  # how long the sensor has read what no pulling wheel shows, s
+READING: Final = 23 * GROUP  # what the sensor reads now, m/s
+PRESSURE: Final = 24 * GROUP  # in the cylinder as measured, Pa
+DYNAMIC: Final = 25 * GROUP  # dynamic brake force as measured, N
+EFFORT: Final = 26 * GROUP  # pressure that brakes as much; 0 where it tells nothing, Pa
+SHOWN_SPEED: Final = 27 * GROUP  # of an unbraked wheel that shows the train, else -1, m/s
+VALVE: Final = 28 * GROUP  # dump valve as commanded: FILL, HOLD or VENT
+DYNAMIC_PERMITTED: Final = 29 * GROUP  # share of the dynamic brake as commanded
+SANDS: Final = 30 * GROUP  # 1 while sand is asked for
+ALARM_NOW: Final = 31 * GROUP  # what is wrong with the axle, 0 for nothing
+BAND_LOWER: Final = 32 * GROUP  # slip speed below which the brake fills again, m/s
+BAND_UPPER: Final = 33 * GROUP  # slip speed above which it vents, m/s
+IS_BRAKED: Final = 34 * GROUP  # 1 for an axle with a friction brake
+IS_MOTORED: Final = 35 * GROUP  # 1 for an axle with a motor

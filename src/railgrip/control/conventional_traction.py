@@ -12,16 +12,11 @@ from typing import Any
 
 from railgrip.control.contract import DYNAMIC_FORCE, FloatArray
 from railgrip.control.conventional_parameters import LEAD_TIME
-from railgrip.control.conventional_state import (
-    ACCELERATION,
-    DECELERATION,
-    REFERENCE,
-    SPEED,
-    axle_base,
-)
+from railgrip.control.conventional_state import ACCELERATION, DECELERATION, REFERENCE, SPEED
 from railgrip.control.driving_reference import is_driving
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
+from railgrip.control.state_layout import axle_base, state_size
 from railgrip.control.traction_common import (
     acts_on,
     agree,
@@ -42,7 +37,7 @@ from railgrip.control.traction_parameters import (
     STEP_TO,
     ConventionalTractionParameters,
 )
-from railgrip.control.traction_state import IS_CUT, SHARE, SHARE_AT_SPIN, own_base, state_size
+from railgrip.control.traction_state import IS_CUT, SHARE, SHARE_AT_SPIN
 from railgrip.core.errors import Problem, RailgripError
 
 SLOW = 0.8
@@ -67,7 +62,7 @@ def ease_torque(
         Period, [s].
     """
     base = axle_base(axle)
-    own = own_base(measured.shape[0], axle)
+    own = base
     reference = state[REFERENCE]
     lower = threshold(parameters[SPIN_LOWER], parameters[SPIN_LOWER_FLOOR], reference)
     upper = threshold(parameters[SPIN_UPPER], parameters[SPIN_UPPER_FLOOR], reference)

@@ -8,12 +8,9 @@ keeps them near the peak of the adhesion curve, for rail that sliding does not h
 
 from __future__ import annotations
 
-from railgrip.control.axle_protection import protect_axle
-from railgrip.control.contract import (
-    REFERENCE_SPEED,
-    WHEEL_SPEED,
-    FloatArray,
-)
+from railgrip.control.axle_protection import protect_axles
+from railgrip.control.axle_signals import take_setup
+from railgrip.control.contract import WHEEL_SPEED, FloatArray
 from railgrip.control.conventional_parameters import (
     DECELERATION_PER_PRESSURE,
     SLIP_LOWER,
@@ -24,6 +21,8 @@ from railgrip.control.conventional_parameters import (
 )
 from railgrip.control.conventional_state import (
     ADHERED_CLOCK,
+    BAND_LOWER,
+    BAND_UPPER,
     DIAMETER,
     FASTEST_LAG,
     LAST_READING,
@@ -33,13 +32,12 @@ from railgrip.control.conventional_state import (
     SPEED,
     SPEED_LAG,
     WITNESS_CLOCK,
-    axle_base,
-    state_size,
 )
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
+from railgrip.control.state_layout import axle_base, group_base, groups, in_group, state_size
 from railgrip.control.train_observer import observe_train
 from railgrip.control.wheel_speed import GREATEST_SPEED
 from railgrip.core.errors import Problem, RailgripError, unknown_name
@@ -54,6 +52,7 @@ def conventional_initial(
     parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray
 ) -> None:
     """Fill the state at the start: all axles adhere, the fastest shows the train."""
+    take_setup(axle_setup, state)
     fastest = 0.0
     for axle in range(measured.shape[0]):
         base = axle_base(axle)
@@ -72,6 +71,17 @@ def conventional_initial(
     state[PRESSURE_GAIN] = parameters[DECELERATION_PER_PRESSURE]
 
 
+def set_band(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
+    """Put the same two thresholds into the state for every axle."""
+    reference = state[REFERENCE]
+    lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)
+    upper = threshold(parameters[SLIP_UPPER], parameters[SLIP_SPEED_UPPER_FLOOR], reference)
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            state[group_base(group) + i + BAND_LOWER] = lower
+            state[group_base(group) + i + BAND_UPPER] = upper
+
+
 def conventional_kernel(
     parameters: FloatArray,
     axle_setup: FloatArray,
@@ -83,12 +93,8 @@ def conventional_kernel(
     """Advance the WSP by one period; arguments as in the controller contract."""
     observe_train(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
     learn_diameters(parameters, state, measured, dt)
-    reference = state[REFERENCE]
-    lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)
-    upper = threshold(parameters[SLIP_UPPER], parameters[SLIP_SPEED_UPPER_FLOOR], reference)
-    for axle in range(measured.shape[0]):
-        protect_axle(parameters, axle_setup, state, measured, command, axle, lower, upper, dt)
-        command[axle, REFERENCE_SPEED] = reference
+    set_band(parameters, state, measured.shape[0])
+    protect_axles(parameters, state, command, dt)
     follow_neighbours(axle_setup, state, measured, command)
 
 

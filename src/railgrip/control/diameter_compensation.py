@@ -16,7 +16,8 @@ from railgrip.control.conventional_parameters import (
     DYNAMIC_LEAST_FORCE,
     EMPTY_PRESSURE,
 )
-from railgrip.control.conventional_state import DIAMETER, IS_FAULTY, REFERENCE, axle_base
+from railgrip.control.conventional_state import DIAMETER, IS_FAULTY, REFERENCE
+from railgrip.control.state_layout import axle_base
 
 
 def learn_diameters(

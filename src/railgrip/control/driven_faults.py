@@ -27,9 +27,9 @@ from railgrip.control.conventional_state import (
     REFERENCE,
     SPEED,
     STRANGE_CLOCK,
-    axle_base,
 )
 from railgrip.control.faulty_axle import CAUTION
+from railgrip.control.state_layout import axle_base
 
 PULLING: Final = 2.0e3  # N: with so much motor force no wheel keeps its very speed
 STANDING, MOVING = 0.05, 0.3
@@ -85,9 +85,8 @@ def drive_as_neighbours(
     Examples
     --------
     >>> import numpy as np
-    >>> from railgrip.control.contract import N_COMMAND, N_SETUP
-    >>> from railgrip.control.conventional_state import state_size
-    >>> setup, state = np.ones((2, N_SETUP)), np.zeros(state_size(2))
+    >>> from railgrip.control.contract import (N_COMMAND, N_SETUP)
+    >>>     >>> setup, state = np.ones((2, N_SETUP)), np.zeros(state_size(2))
     >>> state[axle_base(1) + IS_FAULTY] = 1.0
     >>> command = np.zeros((2, N_COMMAND))
     >>> command[0, DYNAMIC_SHARE] = 0.4

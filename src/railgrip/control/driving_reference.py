@@ -15,8 +15,8 @@ from railgrip.control.conventional_state import (
     SEEN_SPEED,
     SEEN_TIME,
     SPEED,
-    axle_base,
 )
+from railgrip.control.state_layout import axle_base
 
 SLOPE_FILTER = 0.3
 """Time constant of the train's acceleration, s."""

@@ -18,9 +18,9 @@ from railgrip.control.conventional_state import (
     REFERENCE,
     SLIDES,
     SPEED,
-    axle_base,
 )
 from railgrip.control.driving_reference import follow_trailing_wheels
+from railgrip.control.state_layout import axle_base
 from railgrip.control.traction_parameters import DOUBT_LONGEST, DOUBT_RATE, LOOK_LONGEST
 from railgrip.control.traction_state import (
     DOUBT,
@@ -36,8 +36,6 @@ from railgrip.control.traction_state import (
     SEEN,
     SIGHT_AGE,
     SIGHT_SPEED,
-    own_base,
-    train_base,
 )
 from railgrip.core.constants import GRAVITY
 
@@ -82,14 +80,13 @@ def know_train_speed(
 
 def _reckon(state: FloatArray, measured: FloatArray, n_axles: int, dt: float) -> None:
     """Advance the reference speed by the forces, bound it by the wheels, correct it by a sight."""
-    train = train_base(n_axles)
     force = load = 0.0
     slowest, second = 1.0e9, 1.0e9
     seen = -1.0
     is_any_spinning = False
     for axle in range(n_axles):
         base = axle_base(axle)
-        own = own_base(n_axles, axle)
+        own = axle_base(axle)
         load += state[own + LOAD]
         force += state[own + FORCE]
         if state[base + IS_FAULTY] > 0.0:
@@ -108,7 +105,7 @@ def _reckon(state: FloatArray, measured: FloatArray, n_axles: int, dt: float) ->
         state[own + FREE_CLOCK] = clock
         if clock > STEADY_AFTER:
             seen = speed if seen < 0.0 else min(seen, speed)
-    acceleration = state[train + OFFSET]
+    acceleration = state[OFFSET]
     if load > 0.0:
         acceleration += force * GRAVITY / load
     before = state[REFERENCE]
@@ -116,68 +113,67 @@ def _reckon(state: FloatArray, measured: FloatArray, n_axles: int, dt: float) ->
     # one slow signal alone may be a faulty one
     bound = slowest if slowest > before - IMPLAUSIBLE or second > 1.0e8 else second
     if not is_any_spinning and bound < 1.0e8:
-        reference = _follow(state, train, reference, bound, dt)
+        reference = _follow(state, reference, bound, dt)
     else:
         reference = min(reference, bound)
-        state[train + EXPECTED_GAIN] += acceleration * dt
-        state[train + SIGHT_AGE] += dt
+        state[EXPECTED_GAIN] += acceleration * dt
+        state[SIGHT_AGE] += dt
         if seen >= 0.0:
             reference = seen
-            _learn(state, train, seen)
-    state[train + SEEN] = seen
+            _learn(state, seen)
+    state[SEEN] = seen
     state[DECELERATION] = -acceleration
     state[REFERENCE] = max(0.0, reference)
 
 
-def _follow(state: FloatArray, train: int, reckoned: float, slowest: float, dt: float) -> float:
+def _follow(state: FloatArray, reckoned: float, slowest: float, dt: float) -> float:
     """Return the speed of wheels that adhere; they rise no faster than the forces say."""
     error = slowest - reckoned
     if reckoned > SLOW:
         step = max(-GREATEST_LESSON, min(GREATEST_LESSON, error))
-        offset = state[train + OFFSET] + LESSON * step * dt
-        state[train + OFFSET] = max(-GREATEST_OFFSET, min(GREATEST_OFFSET, offset))
+        offset = state[OFFSET] + LESSON * step * dt
+        state[OFFSET] = max(-GREATEST_OFFSET, min(GREATEST_OFFSET, offset))
         error = min(error, RISE_MARGIN * dt)
     # what adhering wheels show may already be the begin of a spin: it teaches nothing at a sight
-    state[train + SIGHT_AGE] = NEVER
-    state[train + EXPECTED_GAIN] = 0.0
-    state[train + DOUBT] = 0.0
+    state[SIGHT_AGE] = NEVER
+    state[EXPECTED_GAIN] = 0.0
+    state[DOUBT] = 0.0
     return reckoned + error
 
 
-def _learn(state: FloatArray, train: int, seen: float) -> None:
+def _learn(state: FloatArray, seen: float) -> None:
     """Correct the offset by the true gain of speed since the last sight, and begin anew."""
-    age = state[train + SIGHT_AGE]
+    age = state[SIGHT_AGE]
     if age > SIGHT_INTERVAL:
-        error = (seen - state[train + SIGHT_SPEED] - state[train + EXPECTED_GAIN]) / age
-        offset = state[train + OFFSET] + SIGHT_WEIGHT * error
-        state[train + OFFSET] = max(-GREATEST_OFFSET, min(GREATEST_OFFSET, offset))
-        state[train + N_SIGHTS] += 1.0
-    state[train + SIGHT_SPEED] = seen
-    state[train + SIGHT_AGE] = 0.0
-    state[train + EXPECTED_GAIN] = 0.0
-    state[train + DOUBT] = 0.0
+        error = (seen - state[SIGHT_SPEED] - state[EXPECTED_GAIN]) / age
+        offset = state[OFFSET] + SIGHT_WEIGHT * error
+        state[OFFSET] = max(-GREATEST_OFFSET, min(GREATEST_OFFSET, offset))
+        state[N_SIGHTS] += 1.0
+    state[SIGHT_SPEED] = seen
+    state[SIGHT_AGE] = 0.0
+    state[EXPECTED_GAIN] = 0.0
+    state[DOUBT] = 0.0
 
 
 def _let_run_free(parameters: FloatArray, state: FloatArray, n_axles: int, dt: float) -> None:
     """Decide which axle, if any, runs free to show the train's speed; they take turns."""
-    train = train_base(n_axles)
-    if state[train + LOOKING] > 0.0:
-        state[train + LOOK_TIME] += dt
-        if state[train + SEEN] >= 0.0 or state[train + LOOK_TIME] > parameters[LOOK_LONGEST]:
-            state[train + LOOKING] = 0.0
-            state[train + DOUBT] = 0.0
+    if state[LOOKING] > 0.0:
+        state[LOOK_TIME] += dt
+        if state[SEEN] >= 0.0 or state[LOOK_TIME] > parameters[LOOK_LONGEST]:
+            state[LOOKING] = 0.0
+            state[DOUBT] = 0.0
         return
     # the offset is better known after every sight
-    rate = parameters[DOUBT_RATE] / (1.0 + min(state[train + N_SIGHTS], 4.0))
-    state[train + DOUBT] += rate * dt
-    if state[train + DOUBT] <= parameters[DOUBT_LONGEST]:
+    rate = parameters[DOUBT_RATE] / (1.0 + min(state[N_SIGHTS], 4.0))
+    state[DOUBT] += rate * dt
+    if state[DOUBT] <= parameters[DOUBT_LONGEST]:
         return
-    axle = int(state[train + LAST_LOOK])
+    axle = int(state[LAST_LOOK])
     for _ in range(n_axles):
         axle = axle + 1 if axle + 1 < n_axles else 0
         base = axle_base(axle)
         if state[base + IS_FAULTY] == 0.0 and state[base + SLIDES] > 0.0:
-            state[train + LOOKING] = 1.0 + axle
-            state[train + LAST_LOOK] = float(axle)
-            state[train + LOOK_TIME] = 0.0
+            state[LOOKING] = 1.0 + axle
+            state[LAST_LOOK] = float(axle)
+            state[LOOK_TIME] = 0.0
             return

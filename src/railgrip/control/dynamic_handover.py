@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 from railgrip.control.contract import FloatArray
-from railgrip.control.conventional_parameters import (
-    DYNAMIC_LEAST_FORCE,
-    DYNAMIC_RELEASE_TIME,
-    DYNAMIC_RETURN_AFTER,
-    DYNAMIC_RETURN_TIME,
-)
+from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.conventional_state import ADHERED_CLOCK, HANDED_OVER
 
 
 def hand_over(
-    parameters: FloatArray,
+    parameters: ConventionalParameters,
     state: FloatArray,
     base: int,
     wants_vent: bool,
@@ -25,10 +20,12 @@ def hand_over(
 
     Parameters
     ----------
-    parameters, state : ndarray
+    parameters : ConventionalParameters
+        By name.
+    state : ndarray
         As in the controller contract.
     base : int
-        Where the axle's block begins in the state.
+        Where the axle's values begin.
     wants_vent : bool
         Whether the slip asks for less brake force.
     dynamic_force : float
@@ -46,17 +43,16 @@ def hand_over(
     Examples
     --------
     >>> import numpy as np
-    >>> from railgrip.control.conventional_parameters import ConventionalParameters
-    >>> state = np.zeros(30)
-    >>> round(hand_over(ConventionalParameters(), state, 12, True, 8e3, 1.0, 0.03), 2)
+    >>> from railgrip.control.conventional_parameters import (ConventionalParameters)
+    >>>     >>> state = np.zeros(state_size(1))
+    >>> round(hand_over(ConventionalParameters(), state, 48, True, 8e3, 1.0, 0.03), 2)
     0.9
     """
-    if wants_vent and dynamic_force > parameters[DYNAMIC_LEAST_FORCE]:
-        state[base + HANDED_OVER] = 1.0
-    elif state[base + ADHERED_CLOCK] > parameters[DYNAMIC_RETURN_AFTER]:
-        state[base + HANDED_OVER] = 0.0
-    if state[base + HANDED_OVER] > 0.0:
-        change: float = -dt / parameters[DYNAMIC_RELEASE_TIME]
-    else:
-        change = dt / parameters[DYNAMIC_RETURN_TIME]
-    return min(1.0, max(0.0, share + change))
+    has_adhered = state[base + ADHERED_CLOCK] > parameters.dynamic_return_after
+    is_out = 0.0 if has_adhered else state[base + HANDED_OVER]
+    goes_out = wants_vent and dynamic_force > parameters.dynamic_least_force
+    is_out = 1.0 if goes_out else is_out
+    state[base + HANDED_OVER] = is_out
+    release = -dt / parameters.dynamic_release_time
+    come_back = dt / parameters.dynamic_return_time
+    return min(1.0, max(0.0, share + (release if is_out > 0.0 else come_back)))

@@ -26,8 +26,9 @@ from railgrip.control.contract import (
     VENT,
     FloatArray,
 )
-from railgrip.control.conventional_state import FREED_AXLE, IS_FAULTY, SLIDES, axle_base
+from railgrip.control.conventional_state import FREED_AXLE, IS_FAULTY, SLIDES
 from railgrip.control.lone_leader import runs_free
+from railgrip.control.state_layout import axle_base
 
 CAUTION: Final = 0.75
 """A follower behind a sliding neighbour takes no more than this share of its pressure: it does not
@@ -56,9 +57,8 @@ def follow_neighbours(
     Of four axles the second is not believed, its neighbour in the bogie vents:
 
     >>> import numpy as np
-    >>> from railgrip.control.contract import N_COMMAND, N_MEASURED, N_SETUP
-    >>> from railgrip.control.conventional_state import state_size
-    >>> setup, state = np.ones((4, N_SETUP)), np.zeros(state_size(4))
+    >>> from railgrip.control.contract import (N_COMMAND, N_MEASURED, N_SETUP)
+    >>>     >>> setup, state = np.ones((4, N_SETUP)), np.zeros(state_size(4))
     >>> setup[:, BOGIE] = [0, 0, 1, 1]
     >>> state[axle_base(1) + IS_FAULTY] = 1.0
     >>> command = np.zeros((4, N_COMMAND))

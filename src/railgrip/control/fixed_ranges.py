@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any, Final, NamedTuple
 
+from railgrip.control.adaptive_state import RANGE
 from railgrip.control.contract import MACRO, MICRO, FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.conventional_wsp import conventional_initial
@@ -19,9 +20,8 @@ from railgrip.control.slip_ranges import (
     check_bands,
     observe_in_ranges,
     protect_in_ranges,
-    range_place,
-    ranged_state_size,
 )
+from railgrip.control.state_layout import axle_base, state_size
 from railgrip.core.errors import Problem, RailgripError
 
 ALL_MACRO: Final = 0.0
@@ -75,7 +75,7 @@ def fixed_initial(
     conventional_initial(parameters, axle_setup, state, measured)
     n_axles = measured.shape[0]
     for axle in range(n_axles):
-        state[range_place(axle, n_axles)] = range_in(parameters[N_RANGED], axle, n_axles)
+        state[axle_base(axle) + RANGE] = range_in(parameters[N_RANGED], axle, n_axles)
 
 
 def fixed_kernel(
@@ -109,7 +109,7 @@ class FixedRanges(KernelController):
 
     kernel = staticmethod(fixed_kernel)
     initial = staticmethod(fixed_initial)
-    state_size = staticmethod(ranged_state_size)
+    state_size = staticmethod(state_size)
     arrangement = ALL_MACRO
 
     def __init__(self, parameters: Any = None, *, period: float = 0.01) -> None:

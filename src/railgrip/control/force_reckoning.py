@@ -8,13 +8,7 @@ from __future__ import annotations
 
 from railgrip.control.contract import FloatArray
 from railgrip.control.conventional_parameters import DECELERATION_PER_PRESSURE
-from railgrip.control.conventional_state import (
-    DECELERATION,
-    IS_FAULTY,
-    OFFSET,
-    PRESSURE_GAIN,
-    axle_base,
-)
+from railgrip.control.conventional_state import DECELERATION, IS_FAULTY, OFFSET, PRESSURE_GAIN
 from railgrip.control.deceleration_estimate import (
     GREATEST_DECELERATION,
     GREATEST_OFFSET,
@@ -22,7 +16,8 @@ from railgrip.control.deceleration_estimate import (
 )
 from railgrip.control.free_axle import free_an_axle
 from railgrip.control.reference_speed import advance_reference
-from railgrip.control.temperature_state import FRICTION, LOAD, own_base
+from railgrip.control.state_layout import axle_base
+from railgrip.control.temperature_state import FRICTION, LOAD
 from railgrip.control.train_observer import Wheels
 from railgrip.core.constants import GRAVITY
 
@@ -59,10 +54,10 @@ def reckon_with_forces(
     force = 0.0
     load = 0.0
     for axle in range(n_axles):
-        if state[axle_base(axle) + IS_FAULTY] == 0.0:
-            own = own_base(n_axles, axle)
-            force -= state[own + FRICTION]
-            load += state[own + LOAD]
+        base = axle_base(axle)
+        is_valid = state[base + IS_FAULTY] == 0.0
+        force -= state[base + FRICTION] if is_valid else 0.0
+        load += state[base + LOAD] if is_valid else 0.0
     by_forces = force * GRAVITY / load if load > 0.0 else 0.0
     # in the terms of the ordinary gain, so that it learns and bounds as it does there
     effort = by_forces / parameters[DECELERATION_PER_PRESSURE]

@@ -23,8 +23,8 @@ from railgrip.control.conventional_state import (
     SPEED,
     SPEED_LAG,
     VOTE_CLOCK,
-    axle_base,
 )
+from railgrip.control.state_layout import axle_base
 
 AGREE_SHARE: Final = 0.005
 AGREE_FLOOR: Final = 0.1
@@ -41,18 +41,6 @@ OUTVOTED_AFTER: Final = 0.3
 """A wheel that has led so long, s, is corrected, or not believed until the brake is released."""
 GREATEST_CORRECTION: Final = 0.1
 """Of a wheel's factor: from new to worn out a diameter loses 8 to 10 %."""
-
-
-def count_for_vote(
-    state: FloatArray, base: int, is_unbraked: bool, settles: bool, dt: float
-) -> None:
-    """Run the clock of an unbraked wheel forth while it gains no speed, and back while it does.
-
-    Between two teeth the acceleration of a pole wheel trembles by more than half a metre per second
-    squared, so it is the majority of the readings that counts.
-    """
-    clock = state[base + VOTE_CLOCK] + (dt if settles else -dt)
-    state[base + VOTE_CLOCK] = min(max(clock, 0.0), VOTES_AT_MOST) if is_unbraked else 0.0
 
 
 def outvote_leader(state: FloatArray, measured: FloatArray, leader: int, dt: float) -> float:
@@ -107,17 +95,6 @@ def _correct_or_drop(state: FloatArray, own: int, ratio: float) -> None:
     state[own + SPEED] *= ratio
     state[own + SPEED_LAG] *= ratio
     state[own + LEAD_CLOCK] = 0.0
-
-
-def is_outvoted(state: FloatArray, base: int, measured: FloatArray, axle: int, dt: float) -> bool:
-    """Return whether an axle has been dropped in this application of the brake; run its clock."""
-    if measured[axle, BRAKE_DEMAND] <= 0.0:
-        state[base + LEAD_CLOCK] = 0.0
-        state[base + CORRECTIONS] = 0.0
-    is_dropped = bool(state[base + LEAD_CLOCK] > OUTVOTED_AFTER)
-    if is_dropped:
-        state[base + LEAD_CLOCK] += dt
-    return is_dropped
 
 
 def runs_free(state: FloatArray, base: int) -> bool:

@@ -32,37 +32,35 @@ from railgrip.control.adaptive_state import (
     MICRO_FORCE,
     N_MACRO,
     N_MICRO,
+    RANGE,
     RANGE_CLOCK,
     SLID,
-    axle_place,
-    system_place,
 )
 from railgrip.control.contract import MICRO, FloatArray
 from railgrip.control.slip_band import threshold
-from railgrip.control.slip_ranges import range_place
+from railgrip.control.state_layout import axle_base
 
 SETTLED = 0.3
 """So long an axle must have been observed before its force counts as F0, s."""
 
 
-def clear_sums(state: FloatArray, n_axles: int) -> None:
+def clear_sums(state: FloatArray) -> None:
     """Set the sums over both ranges to zero."""
-    system = system_place(n_axles)
     for place in (
         N_MACRO, N_MICRO, MACRO_FORCE, MICRO_FORCE, MACRO_F0, MACRO_SLID,
         LEADER_FORCE, FOLLOWER_FORCE, LEADER_SLID,
     ):  # fmt: skip
-        state[system + place] = 0.0
+        state[place] = 0.0
 
 
-def leave_out(state: FloatArray, axle: int, n_axles: int) -> None:
+def leave_out(state: FloatArray, axle: int) -> None:
     """Let an axle tell nothing: without brake or motor, not believed, or let run free."""
-    state[axle_place(axle, n_axles) + RANGE_CLOCK] = 0.0
-    state[axle_place(axle, n_axles) + IS_LEAD] = 0.0
+    state[axle_base(axle) + RANGE_CLOCK] = 0.0
+    state[axle_base(axle) + IS_LEAD] = 0.0
 
 
 def weigh_axle(
-    parameters: FloatArray, state: FloatArray, axle: int, n_axles: int, n_lead: float,
+    parameters: FloatArray, state: FloatArray, axle: int, n_lead: float,
     force: float, slip_speed: float, growth: float, reference: float, dt: float,
 ) -> float:  # fmt: skip
     """Update F0, mean and slid distance of one axle, and add them to the sums of its range.
@@ -73,8 +71,8 @@ def weigh_axle(
         Those of `Supervision` at the places that `adaptive_parameters` has for them.
     state : ndarray
         Begins so that the places of `adaptive_state` hold in it.
-    axle, n_axles : int
-        Row of the axle, number of axles.
+    axle : int
+        Row of the axle.
     n_lead : float
         Leading test axles before it.
     force : float
@@ -93,7 +91,7 @@ def weigh_axle(
     float
         Leading test axles, this one included.
     """
-    block = axle_place(axle, n_axles)
+    block = axle_base(axle)
     breaking = threshold(parameters[BREAKAWAY_SLIP], parameters[BREAKAWAY_FLOOR], reference)
     is_lead = n_lead < parameters[LEAD_AXLES]
     state[block + IS_LEAD] = 1.0 if is_lead else 0.0
@@ -118,29 +116,26 @@ def weigh_axle(
         blend = dt / (parameters[MEAN_TIME] + dt)
         state[block + MEAN] += blend * (signal - state[block + MEAN])
         state[block + SLID] += abs(slip_speed) * dt
-        _sum_up(parameters, state, axle, n_axles, n_lead)
+        _sum_up(parameters, state, axle, n_lead)
     return n_lead + 1.0 if is_lead else n_lead
 
 
-def _sum_up(
-    parameters: FloatArray, state: FloatArray, axle: int, n_axles: int, n_lead: float
-) -> None:
-    block = axle_place(axle, n_axles)
-    system = system_place(n_axles)
+def _sum_up(parameters: FloatArray, state: FloatArray, axle: int, n_lead: float) -> None:
+    block = axle_base(axle)
     mean, f0 = state[block + MEAN], state[block + F0]
     if state[block + IS_LEAD] > 0.0:
         if n_lead == 0.0:
-            state[system + LEADER_FORCE] = mean
-            state[system + LEADER_SLID] = state[block + SLID]
+            state[LEADER_FORCE] = mean
+            state[LEADER_SLID] = state[block + SLID]
         if n_lead + 1.0 == parameters[LEAD_AXLES]:
-            state[system + FOLLOWER_FORCE] = mean
+            state[FOLLOWER_FORCE] = mean
     if f0 <= 0.0:
         return
-    if state[range_place(axle, n_axles)] > MICRO:
-        state[system + N_MACRO] += 1.0
-        state[system + MACRO_FORCE] += mean
-        state[system + MACRO_F0] += f0
-        state[system + MACRO_SLID] += state[block + SLID]
+    if state[axle_base(axle) + RANGE] > MICRO:
+        state[N_MACRO] += 1.0
+        state[MACRO_FORCE] += mean
+        state[MACRO_F0] += f0
+        state[MACRO_SLID] += state[block + SLID]
     else:
-        state[system + N_MICRO] += 1.0
-        state[system + MICRO_FORCE] += mean
+        state[N_MICRO] += 1.0
+        state[MICRO_FORCE] += mean

@@ -81,7 +81,7 @@ def observe_slope(
 
 
 def seek_peak(
-    parameters: FloatArray, state: FloatArray, own: int, train: int, slip: float, is_held: bool,
+    parameters: FloatArray, state: FloatArray, own: int, slip: float, is_held: bool,
     dt: float,
 ) -> None:  # fmt: skip
     """Update the slope and the slip target of one axle in the state.
@@ -90,8 +90,8 @@ def seek_peak(
     ----------
     parameters, state : ndarray
         As in the controller contract.
-    own, train : int
-        Where the axle's and the train's block begin.
+    own : int
+        Where the axle's values begin.
     slip : float
         Slip speed of the wheel, driving positive, [m/s].
     is_held : bool
@@ -135,10 +135,8 @@ def _bound(parameters: FloatArray, state: FloatArray, own: int) -> None:
     state[own + TARGET] = max(least, min(most, state[own + TARGET]))
 
 
-def slip_aimed_at(
-    parameters: FloatArray, state: FloatArray, own: int, train: int, axle: int
-) -> float:
+def slip_aimed_at(parameters: FloatArray, state: FloatArray, own: int, axle: int) -> float:
     """Return the target with its dither, each axle at another time of it, [m/s]."""
-    turns = state[train + CLOCK] / parameters[DITHER_TIME] + 0.25 * axle
+    turns = state[CLOCK] / parameters[DITHER_TIME] + 0.25 * axle
     aim: float = state[own + TARGET] * (1.0 + parameters[DITHER] * math.sin(2.0 * math.pi * turns))
     return aim

@@ -10,10 +10,11 @@ from __future__ import annotations
 from typing import Any
 
 from railgrip.control.contract import FloatArray
-from railgrip.control.conventional_state import REFERENCE, SPEED, axle_base
+from railgrip.control.conventional_state import REFERENCE, SPEED
 from railgrip.control.driving_reference import is_driving
 from railgrip.control.peak_search import seek_peak, slip_aimed_at
 from railgrip.control.plain_form import KernelController
+from railgrip.control.state_layout import axle_base, state_size
 from railgrip.control.traction_common import (
     acts_on,
     agree,
@@ -24,15 +25,7 @@ from railgrip.control.traction_common import (
     traction_initial,
 )
 from railgrip.control.traction_parameters import TARGET_START, PeakSeekingParameters
-from railgrip.control.traction_state import (
-    DOUBT_OF_SLOPE,
-    LOOKING,
-    SHARE,
-    TARGET,
-    own_base,
-    state_size,
-    train_base,
-)
+from railgrip.control.traction_state import DOUBT_OF_SLOPE, LOOKING, SHARE, TARGET
 from railgrip.core.errors import Problem, RailgripError
 
 HELD_SHARE = 0.5
@@ -46,7 +39,7 @@ def peak_seeking_initial(
     traction_initial(parameters, axle_setup, state, measured)
     n_axles = measured.shape[0]
     for axle in range(n_axles):
-        own = own_base(n_axles, axle)
+        own = axle_base(axle)
         state[own + TARGET] = parameters[TARGET_START]
         state[own + DOUBT_OF_SLOPE] = 0.1
 
@@ -56,14 +49,12 @@ def hold_at_peak(
     axle: int, dt: float,
 ) -> float:  # fmt: skip
     """Return the share of the demanded motor force that is permitted, 0..1; see `lead_slip`."""
-    n_axles = measured.shape[0]
-    own = own_base(n_axles, axle)
-    train = train_base(n_axles)
+    own = axle_base(axle)
     slip = state[axle_base(axle) + SPEED] - state[REFERENCE]
-    is_free = state[train + LOOKING] == axle + 1.0
+    is_free = state[LOOKING] == axle + 1.0
     is_held = state[own + SHARE] < 0.999 and slip > HELD_SHARE * state[own + TARGET]
-    seek_peak(parameters, state, own, train, slip, is_held and not is_free, dt)
-    aim = slip_aimed_at(parameters, state, own, train, axle)
+    seek_peak(parameters, state, own, slip, is_held and not is_free, dt)
+    aim = slip_aimed_at(parameters, state, own, axle)
     return lead_slip(parameters, axle_setup, state, measured, axle, aim)
 
 

@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 from railgrip.control.contract import FILL, HOLD, VENT, FloatArray
-from railgrip.control.temperature_parameters import (
-    FILL_TIME,
-    PRESSURE_BAND,
-    VALVE_DELAY,
-    VENT_TIME,
-)
+from railgrip.control.temperature_parameters import TemperatureOnly
 from railgrip.control.temperature_state import FLIGHT
 
 
 def follow_pressure(
-    parameters: FloatArray,
+    parameters: TemperatureOnly,
     state: FloatArray,
-    own: int,
+    base: int,
+    is_limited: bool,
     pressure: float,
     wanted: float,
     supply: float,
@@ -25,10 +21,14 @@ def follow_pressure(
 
     Parameters
     ----------
-    parameters, state : ndarray
+    parameters : TemperatureOnly
+        By name.
+    state : ndarray
         As in the controller contract.
-    own : int
-        Where the axle's own block begins.
+    base : int
+        Where the axle's values begin.
+    is_limited : bool
+        Whether a pressure is wanted at all: else the valve fills, and nothing is noted.
     pressure, wanted, supply : float
         In the cylinder now, wanted, and before the valve, [Pa].
     dt : float
@@ -39,16 +39,14 @@ def follow_pressure(
     A valve acts late, so what has been commanded and not yet felt is remembered and counted in:
     without that every pulse would be given several times over.
     """
-    filling = max(supply - pressure, 0.0) / parameters[FILL_TIME] * dt
-    venting = pressure / parameters[VENT_TIME] * dt
-    flight = state[own + FLIGHT] * (1.0 - min(1.0, dt / parameters[VALVE_DELAY]))
-    missing = wanted - pressure - flight
-    valve = HOLD
-    if missing > parameters[PRESSURE_BAND]:
-        valve = FILL
-        flight += filling
-    elif missing < -parameters[PRESSURE_BAND]:
-        valve = VENT
-        flight -= venting
-    state[own + FLIGHT] = flight
-    return valve
+    filling = max(supply - pressure, 0.0) / parameters.fill_time * dt
+    venting = pressure / parameters.vent_time * dt
+    felt = state[base + FLIGHT] * (1.0 - min(1.0, dt / parameters.valve_delay))
+    missing = wanted - pressure - felt
+    fills = missing > parameters.pressure_band
+    vents = missing < -parameters.pressure_band
+    flight = felt + filling if fills else felt
+    flight = felt - venting if vents else flight
+    state[base + FLIGHT] = flight if is_limited else state[base + FLIGHT]
+    valve = FILL if fills or not is_limited else HOLD
+    return VENT if vents and is_limited else valve

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from typing import Final
 
-from railgrip.control.contract import CYLINDER_PRESSURE, FILL, VENT, FloatArray
-from railgrip.control.conventional_parameters import EMPTY_PRESSURE, SAFETY_TIME, SETTLE_TIME
-from railgrip.control.conventional_state import ACCELERATION, ADHERED_CLOCK, KEPT_CLOCK, SAFETY_FILL
+from railgrip.control.contract import FILL, VENT, FloatArray
+from railgrip.control.conventional_parameters import ConventionalParameters
+from railgrip.control.conventional_state import (
+    ACCELERATION,
+    ADHERED_CLOCK,
+    KEPT_CLOCK,
+    PRESSURE,
+    SAFETY_FILL,
+)
 
 GAINING_ACCELERATION: Final = 0.3
 """A wheel that turns faster by so much, m/s², is on its way back: the timer waits."""
@@ -16,11 +22,9 @@ ALIVE_ACCELERATION: Final = -2.0
 
 
 def watch_release(
-    parameters: FloatArray,
+    parameters: ConventionalParameters,
     state: FloatArray,
     base: int,
-    measured: FloatArray,
-    axle: int,
     valve_before: float,
     dt: float,
 ) -> bool:
@@ -28,12 +32,12 @@ def watch_release(
 
     Parameters
     ----------
-    parameters, state, measured : ndarray
+    parameters : ConventionalParameters
+        By name.
+    state : ndarray
         As in the controller contract.
     base : int
-        Where the axle's block begins in the state.
-    axle : int
-        Row of the axle.
+        Where the axle's values begin.
     valve_before : float
         The dump valve as commanded since the last tick.
     dt : float
@@ -47,21 +51,18 @@ def watch_release(
     Ten seconds are usual in the trade, not read in a standard.
     """
     acceleration = state[base + ACCELERATION]
-    if state[base + SAFETY_FILL] > 0.0:
-        has_settled = state[base + ADHERED_CLOCK] > parameters[SETTLE_TIME]
-        if acceleration < ALIVE_ACCELERATION or has_settled:
-            state[base + SAFETY_FILL] = 0.0
-            state[base + KEPT_CLOCK] = 0.0
-            return False
-        return True
-    is_released = (
-        valve_before == VENT or measured[axle, CYLINDER_PRESSURE] < parameters[EMPTY_PRESSURE]
-    )
-    if valve_before == FILL:
-        state[base + KEPT_CLOCK] = 0.0
-    elif is_released and acceleration < GAINING_ACCELERATION:
-        state[base + KEPT_CLOCK] += dt
-        if state[base + KEPT_CLOCK] > parameters[SAFETY_TIME]:
-            state[base + SAFETY_FILL] = 1.0
-            return True
-    return False
+    was_filling = state[base + SAFETY_FILL] > 0.0
+    has_settled = state[base + ADHERED_CLOCK] > parameters.settle_time
+    is_alive = acceleration < ALIVE_ACCELERATION or has_settled
+    is_released = valve_before == VENT or state[base + PRESSURE] < parameters.empty_pressure
+    fills = valve_before == FILL
+    counts = is_released and acceleration < GAINING_ACCELERATION and not fills
+    kept = state[base + KEPT_CLOCK]
+    clock = kept + dt if counts else kept
+    clock = 0.0 if fills else clock
+    runs_out = counts and clock > parameters.safety_time
+    must_fill = not is_alive if was_filling else runs_out
+    after_filling = 0.0 if is_alive else kept
+    state[base + KEPT_CLOCK] = after_filling if was_filling else clock
+    state[base + SAFETY_FILL] = 1.0 if must_fill else 0.0
+    return bool(must_fill)

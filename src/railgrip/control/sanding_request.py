@@ -3,28 +3,33 @@
 from __future__ import annotations
 
 from railgrip.control.contract import FloatArray
-from railgrip.control.conventional_parameters import SAND_ABOVE, SAND_AFTER, SAND_TIME
-from railgrip.control.conventional_state import REFERENCE, SAND_CLOCK, SLIDES
+from railgrip.control.conventional_parameters import ConventionalParameters
+from railgrip.control.conventional_state import SAND_CLOCK, SLIDES
 
 
-def request_sand(parameters: FloatArray, state: FloatArray, base: int, dt: float) -> float:
+def request_sand(
+    parameters: ConventionalParameters, state: FloatArray, base: int, reference: float, dt: float
+) -> float:
     """Return 1 while the axle wants sand, else 0.
 
     Parameters
     ----------
-    parameters, state : ndarray
-        As in the controller contract. The clock in the state counts down from zero while the axle
+    parameters : ConventionalParameters
+        By name.
+    state : ndarray
+        As in the controller contract. The clock in it counts down from zero while the axle
         slides without sand, and down from `sand_time` while sand is asked for.
     base : int
-        Where the axle's block begins in the state.
+        Where the axle's values begin.
+    reference : float
+        Reference speed, [m/s].
     dt : float
         Period, [s].
     """
     clock = state[base + SAND_CLOCK]
-    if state[base + SLIDES] > 0.0 and state[REFERENCE] > parameters[SAND_ABOVE]:
-        is_due = clock > 0.0 or clock <= -parameters[SAND_AFTER]
-        clock = parameters[SAND_TIME] if is_due else clock - dt
-    else:
-        clock = max(0.0, clock - dt)
+    is_due = clock > 0.0 or clock <= -parameters.sand_after
+    sliding = parameters.sand_time if is_due else clock - dt
+    slides = state[base + SLIDES] > 0.0 and reference > parameters.sand_above
+    clock = sliding if slides else max(0.0, clock - dt)
     state[base + SAND_CLOCK] = clock
     return 1.0 if clock > 0.0 else 0.0

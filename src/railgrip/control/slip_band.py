@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Final
 
 from railgrip.control.contract import FILL, HOLD, VENT, FloatArray
-from railgrip.control.conventional_parameters import LEAD_TIME
 from railgrip.control.conventional_state import ADHERED_CLOCK, SLIDES
 
 ADHERES_AFTER: Final = 0.3
@@ -24,7 +23,7 @@ def threshold(share: float, floor: float, reference: float) -> float:
 
 
 def wish(
-    parameters: FloatArray,
+    lead_time: float,
     slip_speed: float,
     relative_acceleration: float,
     lower: float,
@@ -34,8 +33,8 @@ def wish(
 
     Parameters
     ----------
-    parameters : ndarray
-        As in the controller contract.
+    lead_time : float
+        How far ahead the slip speed is foreseen, [s].
     slip_speed : float
         Reference speed less wheel speed, [m/s].
     relative_acceleration : float
@@ -45,27 +44,20 @@ def wish(
 
     Examples
     --------
-    >>> from railgrip.control.conventional_parameters import ConventionalParameters
-    >>> wish(ConventionalParameters(), 2.0, -5.0, 1.6, 3.2)
+    >>> wish(0.2, 2.0, -5.0, 1.6, 3.2)
     1.0
     """
-    foreseen = slip_speed - parameters[LEAD_TIME] * relative_acceleration
-    if foreseen > upper:
-        return VENT
-    if foreseen < lower:
-        return FILL
-    return HOLD
+    foreseen = slip_speed - lead_time * relative_acceleration
+    wished = FILL if foreseen < lower else HOLD
+    return VENT if foreseen > upper else wished
 
 
 def note_slide(
     state: FloatArray, base: int, wished: float, slip_speed: float, lower: float, dt: float
 ) -> None:
     """Update in the state whether the axle slides, and since when it adheres."""
-    if wished == FILL and slip_speed < lower:
-        state[base + ADHERED_CLOCK] += dt
-        if state[base + ADHERED_CLOCK] > ADHERES_AFTER:
-            state[base + SLIDES] = 0.0
-    else:
-        state[base + ADHERED_CLOCK] = 0.0
-        if wished == VENT:
-            state[base + SLIDES] = 1.0
+    adheres = wished == FILL and slip_speed < lower
+    clock = state[base + ADHERED_CLOCK] + dt if adheres else 0.0
+    slides = 0.0 if clock > ADHERES_AFTER else state[base + SLIDES]
+    state[base + ADHERED_CLOCK] = clock
+    state[base + SLIDES] = 1.0 if wished == VENT else slides

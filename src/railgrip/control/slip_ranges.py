@@ -8,14 +8,9 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from railgrip.control.axle_protection import protect_axle
-from railgrip.control.contract import (
-    MICRO,
-    MIDDLE,
-    REFERENCE_SPEED,
-    SLIP_RANGE,
-    FloatArray,
-)
+from railgrip.control.adaptive_state import RANGE
+from railgrip.control.axle_protection import protect_axles
+from railgrip.control.contract import MICRO, MIDDLE, SLIP_RANGE, FloatArray
 from railgrip.control.conventional_parameters import (
     SLIP_LOWER,
     SLIP_SPEED_LOWER_FLOOR,
@@ -23,10 +18,11 @@ from railgrip.control.conventional_parameters import (
     SLIP_UPPER,
     ConventionalParameters,
 )
-from railgrip.control.conventional_state import REFERENCE, state_size
+from railgrip.control.conventional_state import BAND_LOWER, BAND_UPPER, REFERENCE
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.slip_band import threshold
+from railgrip.control.state_layout import axle_base, group_base, groups, in_group
 from railgrip.control.train_observer import observe_train
 from railgrip.core.errors import Problem, RailgripError
 
@@ -58,28 +54,6 @@ N_RANGED: Final = N_CONVENTIONAL + len(RangeBands._fields)
 """Where the parameters of a controller that builds on this one begin."""
 
 
-def range_place(axle: int, n_axles: int) -> int:
-    """Return where the range of an axle stands in the state, behind the ordinary WSP's.
-
-    Examples
-    --------
-    >>> range_place(0, 16), range_place(3, 16)
-    (380, 383)
-    """
-    return state_size(n_axles) + axle
-
-
-def ranged_state_size(n_axles: int) -> int:
-    """Return the length of the state: the ordinary WSP's, and one range for each axle.
-
-    Examples
-    --------
-    >>> ranged_state_size(16)
-    396
-    """
-    return state_size(n_axles) + n_axles
-
-
 def observe_in_ranges(
     parameters: FloatArray,
     axle_setup: FloatArray,
@@ -89,13 +63,18 @@ def observe_in_ranges(
 ) -> None:
     """Update wheels and reference speed, as exactly as the narrowest range in use needs."""
     n_axles = measured.shape[0]
+    n_micro = 0
+    n_middle = 0
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            slip_range = state[group_base(group) + i + RANGE]
+            n_micro += 1 if slip_range == MICRO else 0
+            n_middle += 1 if slip_range == MIDDLE else 0
     slip_lower = parameters[SLIP_LOWER]
-    for axle in range(n_axles):
-        slip_range = state[range_place(axle, n_axles)]
-        if slip_range == MICRO:
-            slip_lower = min(slip_lower, parameters[MICRO_LOWER])
-        elif slip_range == MIDDLE:
-            slip_lower = min(slip_lower, parameters[MIDDLE_LOWER])
+    if n_micro > 0:
+        slip_lower = min(slip_lower, parameters[MICRO_LOWER])
+    if n_middle > 0:
+        slip_lower = min(slip_lower, parameters[MIDDLE_LOWER])
     observe_train(parameters, axle_setup, state, measured, slip_lower, dt)
     learn_diameters(parameters, state, measured, dt)
 
@@ -119,19 +98,17 @@ def protect_in_ranges(
     micro_upper = threshold(parameters[MICRO_UPPER], upper_floor, reference)
     middle_lower = threshold(parameters[MIDDLE_LOWER], lower_floor, reference)
     middle_upper = threshold(parameters[MIDDLE_UPPER], upper_floor, reference)
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            slip_range = state[base + RANGE]
+            lower = middle_lower if slip_range == MIDDLE else macro_lower
+            upper = middle_upper if slip_range == MIDDLE else macro_upper
+            state[base + BAND_LOWER] = micro_lower if slip_range == MICRO else lower
+            state[base + BAND_UPPER] = micro_upper if slip_range == MICRO else upper
+    protect_axles(parameters, state, command, dt)
     for axle in range(n_axles):
-        slip_range = state[range_place(axle, n_axles)]
-        lower = macro_lower
-        upper = macro_upper
-        if slip_range == MICRO:
-            lower = micro_lower
-            upper = micro_upper
-        elif slip_range == MIDDLE:
-            lower = middle_lower
-            upper = middle_upper
-        protect_axle(parameters, axle_setup, state, measured, command, axle, lower, upper, dt)
-        command[axle, REFERENCE_SPEED] = reference
-        command[axle, SLIP_RANGE] = slip_range
+        command[axle, SLIP_RANGE] = state[axle_base(axle) + RANGE]
     follow_neighbours(axle_setup, state, measured, command)
 
 

@@ -2,68 +2,69 @@
 
 from __future__ import annotations
 
-from railgrip.control.axle_forces import motor_force, pressure_for, pressures
-from railgrip.control.axle_protection import axle_alarm
+from typing import NamedTuple
+
+from railgrip.control.axle_forces import motor_force, pressure_for
+from railgrip.control.axle_protection import axle_alarm, freed_place
+from railgrip.control.axle_signals import give_command
 from railgrip.control.contract import (
     ALARM,
-    BRAKE_DEMAND,
-    BRAKED,
-    BRAKING_EFFORT,
-    CONTINUOUS,
-    CYLINDER_PRESSURE,
     DRIVE_DEMAND,
     DUMP_VALVE,
-    DYNAMIC_FORCE,
     DYNAMIC_SHARE,
     FILL,
     FRICTION_SHARE,
     HOLD,
     IS_SLIDING,
-    MOTORED,
+    REFERENCE_SPEED,
     SANDING,
     TRACTIVE_EFFORT,
+    TRACTIVE_POWER,
     VENT,
     FloatArray,
 )
-from railgrip.control.conventional_parameters import (
-    DYNAMIC_LEAST_FORCE,
-    INHIBIT_SPEED,
-)
+from railgrip.control.conventional_parameters import ConventionalParameters, conventional_of
 from railgrip.control.conventional_state import (
     ACCELERATION,
-    FREED_AXLE,
+    ALARM_NOW,
+    DYNAMIC,
+    DYNAMIC_PERMITTED,
+    IS_BRAKED,
     IS_FAULTY,
+    IS_MOTORED,
+    PRESSURE,
     REFERENCE,
+    SANDS,
     SLIDES,
     SPEED,
-    axle_base,
+    VALVE,
 )
 from railgrip.control.pressure_following import follow_pressure
 from railgrip.control.safety_timer import watch_release
 from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, threshold
-from railgrip.control.temperature_parameters import (
-    EXCESS_GAIN,
-    LEAST_SPEED,
-    VALVE_EXCESS_GAIN,
-    VALVE_LEAD,
-)
+from railgrip.control.state_layout import axle_base, group_base, groups, in_group
+from railgrip.control.temperature_parameters import TemperatureOnly, temperature_of
 from railgrip.control.temperature_state import (
     BRAKE_FORCE,
+    CONTINUOUS_BRAKE,
+    EFFORT_OF_MOTOR,
     FACTOR,
     FORCE_TARGET,
     FRICTION,
+    FRICTION_PERMITTED,
     FRICTION_SPEED,
+    FULL,
     LOAD,
     MASS,
     MOVING,
+    POWER_OF_MOTOR,
     POWER_TARGET,
     SLIP,
+    SLIP_LIMIT,
     SLIP_TARGET,
     STILL,
     TRAIN_ACCELERATION,
-    own_base,
-    train_base,
 )
 from railgrip.control.temperature_targets import (
     admissible_power,
@@ -79,34 +80,68 @@ LIMITED = 0.999
 """Share of the demand below which a force counts as limited."""
 
 
-def aim(
-    parameters: FloatArray, state: FloatArray, n_axles: int, axle: int, demand: float, whole: float,
-    is_continuous: bool,
-) -> float:  # fmt: skip
-    """Return F*, signed, and leave all that it was reckoned from in the state, [N]."""
-    train = train_base(n_axles)
-    own = own_base(n_axles, axle)
-    base = axle_base(axle)
-    wheel, reference = state[base + SPEED], state[REFERENCE]
-    fastest = max(wheel, reference)
-    slip = signed_slip(parameters, wheel, reference)
-    relative = state[base + ACCELERATION] - state[train + TRAIN_ACCELERATION]
-    foreseen = slip
-    if not is_continuous:
-        foreseen += parameters[VALVE_LEAD] * relative / max(fastest, parameters[LEAST_SPEED])
-    power = admissible_power(
-        parameters, state[own + STILL], state[own + MOVING], wheel, reference, state[train + FACTOR]
+class Moment(NamedTuple):
+    """What is the same for all axles in one step.
+
+    Parameters
+    ----------
+    reference, acceleration : float
+        Reference speed [m/s] and acceleration of the train, signed [m/s²].
+    factor : float
+        On the admissible rises.
+    demand : float
+        Of the brake, 0..1.
+    lower : float
+        Slip speed beyond which a wheel slides, [m/s].
+    """
+
+    reference: float
+    acceleration: float
+    factor: float
+    demand: float
+    lower: float
+
+
+def moment(state: FloatArray, demand: float) -> Moment:
+    """Return what is the same for all axles."""
+    reference = state[REFERENCE]
+    return Moment(
+        reference=reference,
+        acceleration=state[TRAIN_ACCELERATION],
+        factor=state[FACTOR],
+        demand=demand,
+        lower=threshold(SLIDE_SHARE, SLIDE_FLOOR, reference),
     )
-    speed = friction_speed(parameters, power, state[own + FRICTION], state[own + LOAD])
-    wanted = slip_target(parameters, speed, fastest, 1.0 if demand > 0.0 else -1.0)
-    state[own + SLIP] = slip
-    state[own + POWER_TARGET] = power
-    state[own + FRICTION_SPEED] = speed
-    state[own + SLIP_TARGET] = wanted
-    excess = parameters[EXCESS_GAIN] if is_continuous else parameters[VALVE_EXCESS_GAIN]
+
+
+def aim(
+    parameters: TemperatureOnly, now: Moment, state: FloatArray, base: int, demand: float,
+    whole: float, is_continuous: bool, is_protected: bool,
+) -> float:  # fmt: skip
+    """Return F*, signed, and leave all that it was reckoned from in the state, [N].
+
+    An axle that is not protected leaves nothing there.
+    """
+    wheel = state[base + SPEED]
+    fastest = max(wheel, now.reference)
+    slip = signed_slip(parameters, wheel, now.reference)
+    relative = state[base + ACCELERATION] - now.acceleration
+    lead = parameters.valve_lead * relative / max(fastest, parameters.least_speed)
+    foreseen = slip if is_continuous else slip + lead
+    power = admissible_power(
+        parameters, state[base + STILL], state[base + MOVING], wheel, now.reference, now.factor
+    )
+    speed = friction_speed(parameters, power, state[base + FRICTION], state[base + LOAD])
+    sign = 1.0 if demand > 0.0 else -1.0
+    wanted = slip_target(parameters, speed, fastest, state[base + SLIP_LIMIT], sign)
+    state[base + SLIP] = slip if is_protected else state[base + SLIP]
+    state[base + POWER_TARGET] = power if is_protected else state[base + POWER_TARGET]
+    state[base + FRICTION_SPEED] = speed if is_protected else state[base + FRICTION_SPEED]
+    state[base + SLIP_TARGET] = wanted if is_protected else state[base + SLIP_TARGET]
+    excess = parameters.excess_gain if is_continuous else parameters.valve_excess_gain
     return force_target(
-        parameters, foreseen, wanted, state[own + FRICTION], state[train + TRAIN_ACCELERATION],
-        state[own + MASS], whole, excess, demand, fastest,
+        parameters, foreseen, wanted, state[base + FRICTION], now.acceleration,
+        state[base + MASS], whole, excess, demand, fastest,
     )  # fmt: skip
 
 
@@ -115,97 +150,97 @@ def drive_axle(
     command: FloatArray, axle: int, dt: float,
 ) -> None:  # fmt: skip
     """Write the command of one axle while the train is driven."""
-    n_axles = measured.shape[0]
     base = axle_base(axle)
-    own = own_base(n_axles, axle)
+    own = temperature_of(parameters)
+    now = moment(state, 0.0)
     effort = motor_force(
-        axle_setup, axle, state[base + SPEED], TRACTIVE_EFFORT, parameters[LEAST_SPEED]
-    )
+        axle_setup[axle, TRACTIVE_EFFORT], axle_setup[axle, TRACTIVE_POWER],
+        state[base + SPEED], own.least_speed,
+    )  # fmt: skip
     demand = effort * measured[axle, DRIVE_DEMAND]
     share = 1.0
-    state[own + FORCE_TARGET] = demand
+    state[base + FORCE_TARGET] = demand
     if demand > 0.0 and state[base + IS_FAULTY] == 0.0:
-        force = aim(parameters, state, n_axles, axle, demand, effort, True)
-        state[own + FORCE_TARGET] = force
+        force = aim(own, now, state, base, demand, effort, True, True)
+        state[base + FORCE_TARGET] = force
         share = min(1.0, force / demand)
     command[axle, DYNAMIC_SHARE] = share
     command[axle, FRICTION_SHARE] = 1.0
     command[axle, DUMP_VALVE] = FILL
-    spin_speed = state[base + SPEED] - state[REFERENCE]
-    lower = threshold(SLIDE_SHARE, SLIDE_FLOOR, state[REFERENCE])
-    limited = share < LIMITED and spin_speed > lower
-    note_slide(state, base, VENT if limited else FILL, spin_speed, lower, dt)
-    command[axle, SANDING] = request_sand(parameters, state, base, dt)
+    spin_speed = state[base + SPEED] - now.reference
+    limited = share < LIMITED and spin_speed > now.lower
+    note_slide(state, base, VENT if limited else FILL, spin_speed, now.lower, dt)
+    ordinary = conventional_of(parameters)
+    command[axle, SANDING] = request_sand(ordinary, state, base, now.reference, dt)
     command[axle, IS_SLIDING] = state[base + SLIDES]
     command[axle, ALARM] = axle_alarm(state, base)
+    command[axle, REFERENCE_SPEED] = now.reference
 
 
-def brake_axle(
-    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
-    command: FloatArray, axle: int, dt: float,
+def brake_axles(
+    parameters: FloatArray, state: FloatArray, command: FloatArray, demand: float, dt: float
+) -> None:
+    """Write the command of every axle while the train is braked, or rolls."""
+    n_axles = command.shape[0]
+    ordinary = conventional_of(parameters)
+    own = temperature_of(parameters)
+    now = moment(state, demand)
+    freed = freed_place(state)
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            _brake_axle(ordinary, own, now, state, base, base == freed, dt)
+    give_command(state, command)
+    for axle in range(n_axles):
+        command[axle, FRICTION_SHARE] = state[axle_base(axle) + FRICTION_PERMITTED]
+
+
+def _brake_axle(
+    ordinary: ConventionalParameters, parameters: TemperatureOnly, now: Moment, state: FloatArray,
+    base: int, is_freed: bool, dt: float,
 ) -> None:  # fmt: skip
-    """Write the command of one axle while the train is braked, or rolls."""
-    n_axles = measured.shape[0]
-    base = axle_base(axle)
-    own = own_base(n_axles, axle)
-    reference = state[REFERENCE]
-    asked = measured[axle, BRAKE_DEMAND] * state[own + BRAKE_FORCE]
-    force = asked
-    is_protected = (
-        state[base + IS_FAULTY] == 0.0 and reference >= parameters[INHIBIT_SPEED] and asked > 0.0
-    )
-    if is_protected:
-        whole = state[own + BRAKE_FORCE]
-        is_continuous = axle_setup[axle, CONTINUOUS] > 0.0
-        force = -aim(parameters, state, n_axles, axle, -asked, whole, is_continuous)
-        if state[FREED_AXLE] == axle + 1.0:
-            force = 0.0
-    slip_speed = reference - state[base + SPEED]
-    lower = threshold(SLIDE_SHARE, SLIDE_FLOOR, reference)
-    limited = force < LIMITED * asked
-    note_slide(state, base, VENT if limited and slip_speed > lower else FILL, slip_speed, lower, dt)
+    """Put the command of one axle into the state: without branches, for packed arithmetic."""
+    whole = state[base + BRAKE_FORCE]
+    asked = now.demand * whole
+    works = now.reference >= ordinary.inhibit_speed and asked > 0.0
+    is_protected = works and state[base + IS_FAULTY] == 0.0
+    is_continuous = state[base + CONTINUOUS_BRAKE] > 0.0
+    aimed = -aim(parameters, now, state, base, -asked, whole, is_continuous, is_protected)
+    aimed = 0.0 if is_freed else aimed
+    force = aimed if is_protected else asked
+    slip_speed = now.reference - state[base + SPEED]
+    is_limited = force < LIMITED * asked
+    slides = is_limited and slip_speed > now.lower
+    note_slide(state, base, VENT if slides else FILL, slip_speed, now.lower, dt)
     # an axle that its motor brakes is not released, whatever its cylinder says
-    by_motor = measured[axle, DYNAMIC_FORCE] > parameters[DYNAMIC_LEAST_FORCE]
-    stood = HOLD if limited and not by_motor else FILL
-    if watch_release(parameters, state, base, measured, axle, stood, dt):
-        force = asked
-    state[own + FORCE_TARGET] = -force
-    _apply(parameters, axle_setup, state, measured, command, axle, asked, force, dt)
-    command[axle, SANDING] = request_sand(parameters, state, base, dt)
-    command[axle, IS_SLIDING] = state[base + SLIDES]
-    command[axle, ALARM] = axle_alarm(state, base)
+    by_motor = state[base + DYNAMIC] > ordinary.dynamic_least_force
+    stood = HOLD if is_limited and not by_motor else FILL
+    must_fill = watch_release(ordinary, state, base, stood, dt)
+    force = asked if must_fill else force
+    state[base + FORCE_TARGET] = -force
+    _apply(parameters, state, base, now.demand, asked, force, dt)
+    state[base + SANDS] = request_sand(ordinary, state, base, now.reference, dt)
+    state[base + ALARM_NOW] = axle_alarm(state, base)
 
 
 def _apply(
-    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
-    command: FloatArray, axle: int, asked: float, force: float, dt: float,
+    parameters: TemperatureOnly, state: FloatArray, base: int, demand: float, asked: float,
+    force: float, dt: float,
 ) -> None:  # fmt: skip
     """Let the motor take what it can of the force, and the friction brake the rest."""
-    n_axles = measured.shape[0]
-    base = axle_base(axle)
-    own = own_base(n_axles, axle)
-    command[axle, DYNAMIC_SHARE] = 1.0
-    command[axle, FRICTION_SHARE] = 1.0
-    dynamic = max(measured[axle, DYNAMIC_FORCE], 0.0)
     is_limited = force < LIMITED * asked
-    if axle_setup[axle, MOTORED] > 0.0 and is_limited:
-        able = motor_force(
-            axle_setup, axle, state[base + SPEED], BRAKING_EFFORT, parameters[LEAST_SPEED]
-        )
-        able = min(able, asked)
-        command[axle, DYNAMIC_SHARE] = min(1.0, force / able) if able > 0.0 else 0.0
+    effort, power = state[base + EFFORT_OF_MOTOR], state[base + POWER_OF_MOTOR]
+    able = min(motor_force(effort, power, state[base + SPEED], parameters.least_speed), asked)
+    share = min(1.0, force / (able if able > 0.0 else 1.0)) if able > 0.0 else 0.0
+    by_motor = is_limited and state[base + IS_MOTORED] > 0.0
+    state[base + DYNAMIC_PERMITTED] = share if by_motor else 1.0
+    dynamic = max(state[base + DYNAMIC], 0.0)
     rest = max(force - dynamic, 0.0)
-    if axle_setup[axle, CONTINUOUS] > 0.0 or axle_setup[axle, BRAKED] == 0.0:
-        left = asked - dynamic
-        if is_limited:
-            command[axle, FRICTION_SHARE] = min(1.0, rest / left) if left > 0.0 else 0.0
-        command[axle, DUMP_VALVE] = FILL
-    elif not is_limited:
-        command[axle, DUMP_VALVE] = FILL
-    else:
-        wanted = pressure_for(axle_setup, state, own, axle, rest)
-        supply = pressures(axle_setup, axle)[1] * measured[axle, BRAKE_DEMAND]
-        pressure = measured[axle, CYLINDER_PRESSURE]
-        command[axle, DUMP_VALVE] = follow_pressure(
-            parameters, state, own, pressure, wanted, supply, dt
-        )
+    left = asked - dynamic
+    share = min(1.0, rest / (left if left > 0.0 else 1.0)) if left > 0.0 else 0.0
+    has_no_valve = state[base + CONTINUOUS_BRAKE] > 0.0 or state[base + IS_BRAKED] == 0.0
+    state[base + FRICTION_PERMITTED] = share if is_limited and has_no_valve else 1.0
+    state[base + VALVE] = follow_pressure(
+        parameters, state, base, is_limited and not has_no_valve, state[base + PRESSURE],
+        pressure_for(state, base, rest), state[base + FULL] * demand, dt,
+    )  # fmt: skip

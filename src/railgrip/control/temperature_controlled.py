@@ -11,17 +11,21 @@ After EP 2 231 448 (Knorr-Bremse); its owner's consent may be needed to use it i
 from __future__ import annotations
 
 from railgrip.control.adhesion_window import observe_friction
-from railgrip.control.axle_forces import applied_force, force_per_pressure
+from railgrip.control.axle_forces import applied_force, force_per_pressure, pressures
+from railgrip.control.axle_signals import take_measured
 from railgrip.control.contract import (
     AXLE_LOAD,
+    BRAKE_DEMAND,
+    BRAKING_EFFORT,
+    BRAKING_POWER,
+    CONTINUOUS,
     EMERGENCY,
     FULL_FORCE,
-    REFERENCE_SPEED,
     ROTATING_MASS,
     FloatArray,
 )
 from railgrip.control.conventional_parameters import ROTATING_SHARE
-from railgrip.control.conventional_state import DECELERATION, REFERENCE, SPEED, axle_base
+from railgrip.control.conventional_state import DECELERATION
 from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.driven_faults import drive_as_neighbours, watch_driven_sensors
@@ -29,11 +33,13 @@ from railgrip.control.driving_reference import follow_trailing_wheels, is_drivin
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.force_reckoning import reckon_with_forces
 from railgrip.control.plain_form import KernelController
-from railgrip.control.temperature_axle import brake_axle, drive_axle
+from railgrip.control.state_layout import axle_base, state_size
+from railgrip.control.temperature_axle import brake_axles, drive_axle
 from railgrip.control.temperature_limit import limit_factor
 from railgrip.control.temperature_parameters import (
     ACCURACY,
     COURSE,
+    GREATEST_SLIP,
     NOMINAL_DECELERATION,
     OBSERVER_WINDOW,
     PATCH_LOAD,
@@ -44,19 +50,22 @@ from railgrip.control.temperature_parameters import (
 from railgrip.control.temperature_state import (
     BRAKE_FORCE,
     CLOCK,
+    CONTINUOUS_BRAKE,
+    EFFORT_OF_MOTOR,
     FACTOR,
+    FIRST,
     FORCE_BEFORE,
     FORCE_PER_PRESSURE,
+    FULL,
     LOAD,
     MASS,
     MOVING,
     N_WINDOW,
+    POWER_OF_MOTOR,
     SAMPLE,
+    SLIP_LIMIT,
     STILL,
     TRAIN_ACCELERATION,
-    own_base,
-    state_size,
-    train_base,
 )
 from railgrip.control.train_observer import look_at_wheels
 from railgrip.core.constants import GRAVITY
@@ -70,12 +79,12 @@ def temperature_initial(
     """Fill the state at the start: masses, loads, and what heat the contacts take up."""
     conventional_initial(parameters, axle_setup, state, measured)
     n_axles = measured.shape[0]
-    state[train_base(n_axles) + FACTOR] = 1.0
+    state[FACTOR] = 1.0
     along, across = parameters[SEMI_AXIS_ALONG], parameters[SEMI_AXIS_ACROSS]
     still = flash_conductance(STEEL_ERTZ_2002, along, across, 0.0)
     moving = flash_conductance(STEEL_ERTZ_2002, along, across, 1.0)
     for axle in range(n_axles):
-        own = own_base(n_axles, axle)
+        own = axle_base(axle)
         load = axle_setup[axle, AXLE_LOAD]
         load = load if load > 1.0e3 else parameters[PATCH_LOAD]
         mass = axle_setup[axle, ROTATING_MASS]
@@ -89,7 +98,14 @@ def temperature_initial(
         # a patch grows with the load^(1/3), so what moving steel takes up grows with its root
         state[own + MOVING] = (moving * moving - still * still) * load / parameters[PATCH_LOAD]
         state[own + FORCE_PER_PRESSURE] = force_per_pressure(axle_setup, axle, force)
-        state[own + FORCE_BEFORE] = applied_force(axle_setup, state, own, measured, axle)
+        state[own + FIRST], state[own + FULL] = pressures(axle_setup, axle)
+        state[own + CONTINUOUS_BRAKE] = axle_setup[axle, CONTINUOUS]
+        state[own + EFFORT_OF_MOTOR] = axle_setup[axle, BRAKING_EFFORT]
+        state[own + POWER_OF_MOTOR] = axle_setup[axle, BRAKING_POWER]
+        state[own + SLIP_LIMIT] = parameters[GREATEST_SLIP]
+    take_measured(state, measured)
+    for axle in range(n_axles):
+        state[axle_base(axle) + FORCE_BEFORE] = applied_force(state, axle_base(axle))
 
 
 def observe_forces(
@@ -108,27 +124,34 @@ def observe_forces(
         Period, [s].
     """
     n_axles = measured.shape[0]
-    train = train_base(n_axles)
     wheels = look_at_wheels(parameters, axle_setup, state, measured, accuracy, dt)
-    sample = int(state[train + SAMPLE])
+    sample = int(state[SAMPLE])
     length = min(int(parameters[OBSERVER_WINDOW] / dt + 0.5), sample)
     per_time = 1.0 / (max(length, 1) * dt)
     if is_driving(measured):
         watch_driven_sensors(parameters, axle_setup, state, measured, dt)
-    for axle in range(n_axles):
-        own = own_base(n_axles, axle)
-        applied = applied_force(axle_setup, state, own, measured, axle)
-        speed = state[axle_base(axle) + SPEED]
-        observe_friction(state, own, sample, length, speed, applied, dt, per_time)
+    observe_friction(state, n_axles, sample, length, dt, per_time)
     if is_driving(measured):
         follow_trailing_wheels(parameters, axle_setup, state, n_axles, dt)
     else:
         reckon_with_forces(parameters, state, wheels, n_axles, accuracy, dt)
         learn_diameters(parameters, state, measured, dt)
-    state[train + TRAIN_ACCELERATION] = -state[DECELERATION]
-    state[train + FACTOR] = limit_factor(parameters, state[train + CLOCK], measured[0, EMERGENCY])
-    state[train + SAMPLE] += 1.0
-    state[train + CLOCK] += dt
+    state[TRAIN_ACCELERATION] = -state[DECELERATION]
+    state[FACTOR] = limit_factor(parameters, state[CLOCK], measured[0, EMERGENCY])
+    state[SAMPLE] += 1.0
+    state[CLOCK] += dt
+
+
+def lead_axles(
+    parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
+    command: FloatArray, dt: float,
+) -> None:  # fmt: skip
+    """Write the command of every axle, driving or braking; slip limits are in the state."""
+    if is_driving(measured):
+        for axle in range(measured.shape[0]):
+            drive_axle(parameters, axle_setup, state, measured, command, axle, dt)
+    else:
+        brake_axles(parameters, state, command, measured[0, BRAKE_DEMAND], dt)
 
 
 def follow_believed(
@@ -151,13 +174,7 @@ def temperature_kernel(
 ) -> None:
     """Advance temperature control by one period; arguments as in the controller contract."""
     observe_forces(parameters, axle_setup, state, measured, parameters[ACCURACY], dt)
-    driving = is_driving(measured)
-    for axle in range(measured.shape[0]):
-        if driving:
-            drive_axle(parameters, axle_setup, state, measured, command, axle, dt)
-        else:
-            brake_axle(parameters, axle_setup, state, measured, command, axle, dt)
-        command[axle, REFERENCE_SPEED] = state[REFERENCE]
+    lead_axles(parameters, axle_setup, state, measured, command, dt)
     follow_believed(axle_setup, state, measured, command)
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any, Final, NamedTuple
 
+from railgrip.control.contract import FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.parameter_sets import joined
 
@@ -149,3 +150,48 @@ VENT_TIME: Final = _place("vent_time")
 FILL_TIME: Final = _place("fill_time")
 VALVE_DELAY: Final = _place("valve_delay")
 PRESSURE_BAND: Final = _place("pressure_band")
+FIRST: Final = RISE_WHEEL
+
+
+def temperature_of(parameters: FloatArray) -> TemperatureOnly:
+    """Return by name what temperature control adds, as `conventional_of` what stands before it.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> temperature_of(np.array(TemperatureParameters())) == TemperatureOnly()
+    True
+    """
+    return TemperatureOnly(
+        rise_wheel=parameters[FIRST + 0],
+        rise_rail=parameters[FIRST + 1],
+        set_point=parameters[FIRST + 2],
+        emergency_factor=parameters[FIRST + 3],
+        course_1=parameters[FIRST + 4],
+        factor_1=parameters[FIRST + 5],
+        course_2=parameters[FIRST + 6],
+        factor_2=parameters[FIRST + 7],
+        course_3=parameters[FIRST + 8],
+        factor_3=parameters[FIRST + 9],
+        course_ramps=parameters[FIRST + 10],
+        heat_law=parameters[FIRST + 11],
+        linear_factor=parameters[FIRST + 12],
+        semi_axis_along=parameters[FIRST + 13],
+        semi_axis_across=parameters[FIRST + 14],
+        patch_load=parameters[FIRST + 15],
+        accuracy=parameters[FIRST + 16],
+        observer_window=parameters[FIRST + 17],
+        least_adhesion=parameters[FIRST + 18],
+        least_speed=parameters[FIRST + 19],
+        greatest_slip=parameters[FIRST + 20],
+        slip_scale=parameters[FIRST + 21],
+        gain_speed=parameters[FIRST + 22],
+        excess_gain=parameters[FIRST + 23],
+        valve_excess_gain=parameters[FIRST + 24],
+        valve_lead=parameters[FIRST + 25],
+        nominal_deceleration=parameters[FIRST + 26],
+        vent_time=parameters[FIRST + 27],
+        fill_time=parameters[FIRST + 28],
+        valve_delay=parameters[FIRST + 29],
+        pressure_band=parameters[FIRST + 30],
+    )

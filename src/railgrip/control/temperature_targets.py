@@ -7,35 +7,26 @@ from __future__ import annotations
 
 import math
 
-from railgrip.control.contract import FloatArray
-from railgrip.control.temperature_parameters import (
-    GAIN_SPEED,
-    GREATEST_SLIP,
-    HEAT_LAW,
-    LEAST_ADHESION,
-    LEAST_SPEED,
-    LINEAR,
-    LINEAR_FACTOR,
-    RISE_RAIL,
-    RISE_WHEEL,
-    SEMI_AXIS_ACROSS,
-    SET_POINT,
-    SLIP_SCALE,
-)
+from railgrip.control.temperature_parameters import LINEAR, TemperatureOnly
 
 ABSENT = 1.0e6
 """A rise that no contact reaches, K: a limit that is absent."""
 
 
 def admissible_power(
-    parameters: FloatArray, still: float, moving: float, wheel: float, train: float, factor: float
+    parameters: TemperatureOnly,
+    still: float,
+    moving: float,
+    wheel: float,
+    train: float,
+    factor: float,
 ) -> float:
     """Return the friction power of an axle that heats its contacts as far as is aimed at, [W].
 
     Parameters
     ----------
-    parameters : ndarray
-        As in the controller contract.
+    parameters : TemperatureOnly
+        By name.
     still, moving : float
         Squares of one body's heat conductance at rest [W²/K²] and for each m/s, as in
         `railgrip.core.formulas.flash_temperature.flash_conductance`.
@@ -52,66 +43,70 @@ def admissible_power(
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import TemperatureParameters
-    >>> one = TemperatureParameters(rise_wheel=200.0, rise_rail=0.0, set_point=1.0)
+    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> one = TemperatureOnly(rise_wheel=200.0, rise_rail=0.0, set_point=1.0)
     >>> round(admissible_power(one, 0.503, 67.46, 20.0, 20.0, 1.0))
     29391
     """
-    aim = parameters[SET_POINT] * factor
-    rise_wheel = aim * (parameters[RISE_WHEEL] if parameters[RISE_WHEEL] > 0.0 else ABSENT)
-    rise_rail = aim * (parameters[RISE_RAIL] if parameters[RISE_RAIL] > 0.0 else ABSENT)
-    wheel = max(wheel, parameters[LEAST_SPEED])
-    train = max(train, parameters[LEAST_SPEED])
-    if parameters[HEAT_LAW] == LINEAR:
-        per_speed = 2.0 * parameters[SEMI_AXIS_ACROSS] / parameters[LINEAR_FACTOR]
-        linear: float = 2.0 * per_speed * min(rise_wheel * wheel, rise_rail * train)
-        return linear
+    aim = parameters.set_point * factor
+    rise_wheel = aim * (parameters.rise_wheel if parameters.rise_wheel > 0.0 else ABSENT)
+    rise_rail = aim * (parameters.rise_rail if parameters.rise_rail > 0.0 else ABSENT)
+    wheel = max(wheel, parameters.least_speed)
+    train = max(train, parameters.least_speed)
+    per_speed = 2.0 * parameters.semi_axis_across / parameters.linear_factor
+    linear = 2.0 * per_speed * min(rise_wheel * wheel, rise_rail * train)
     conductance = math.sqrt(still + moving * wheel) + math.sqrt(still + moving * train)
-    power: float = 2.0 * min(rise_wheel, rise_rail) * conductance
-    return power
+    physical = 2.0 * min(rise_wheel, rise_rail) * conductance
+    return float(linear if parameters.heat_law == LINEAR else physical)
 
 
-def signed_slip(parameters: FloatArray, wheel: float, train: float) -> float:
+def signed_slip(parameters: TemperatureOnly, wheel: float, train: float) -> float:
     """Return s* = (wheel − train)/max(wheel, train), f4.
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import TemperatureParameters
-    >>> signed_slip(TemperatureParameters(), 18.0, 20.0)
+    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> signed_slip(TemperatureOnly(), 18.0, 20.0)
     -0.1
     """
-    slip: float = (wheel - train) / max(max(wheel, train), parameters[LEAST_SPEED])
+    slip: float = (wheel - train) / max(max(wheel, train), parameters.least_speed)
     return slip
 
 
-def friction_speed(parameters: FloatArray, power: float, friction: float, load: float) -> float:
+def friction_speed(
+    parameters: TemperatureOnly, power: float, friction: float, load: float
+) -> float:
     """Return the slip speed at which the rail turns this power into heat, [m/s].
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import TemperatureParameters
-    >>> friction_speed(TemperatureParameters(), 30e3, -6e3, 130e3)
+    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> friction_speed(TemperatureOnly(), 30e3, -6e3, 130e3)
     5.0
     """
-    speed: float = power / max(abs(friction), parameters[LEAST_ADHESION] * load)
+    speed: float = power / max(abs(friction), parameters.least_adhesion * load)
     return speed
 
 
-def slip_target(parameters: FloatArray, speed: float, fastest: float, sign: float) -> float:
+def slip_target(
+    parameters: TemperatureOnly, speed: float, fastest: float, greatest: float, sign: float
+) -> float:
     """Return s_soll out of the friction speed (f5), with the sign of the demand.
+
+    It is never beyond ``greatest``.
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import TemperatureParameters
-    >>> slip_target(TemperatureParameters(), 2.0, 20.0, -1.0)
+    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> slip_target(TemperatureOnly(), 2.0, 20.0, 0.25, -1.0)
     -0.1
     """
-    share: float = min(speed / max(fastest, parameters[LEAST_SPEED]), parameters[GREATEST_SLIP])
+    share: float = min(speed / max(fastest, parameters.least_speed), greatest)
     return sign * share
 
 
 def force_target(
-    parameters: FloatArray,
+    parameters: TemperatureOnly,
     slip: float,
     wanted: float,
     friction: float,
@@ -126,8 +121,8 @@ def force_target(
 
     Parameters
     ----------
-    parameters : ndarray
-        As in the controller contract.
+    parameters : TemperatureOnly
+        By name.
     slip, wanted : float
         s* and s_soll.
     friction : float
@@ -152,17 +147,16 @@ def force_target(
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import TemperatureParameters
-    >>> settled = TemperatureParameters(gain_speed=1.0)
+    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> settled = TemperatureOnly(gain_speed=1.0)
     >>> round(force_target(settled, -0.1, -0.1, -6e3, -0.5, 1000.0, 15e3, 1.0, -15e3, 20.0))
     -6450
     """
-    pace = max(fastest, parameters[LEAST_SPEED]) / parameters[GAIN_SPEED]
-    gain = whole_force / parameters[SLIP_SCALE] * min(pace, 1.0)
+    pace = max(fastest, parameters.least_speed) / parameters.gain_speed
+    gain = whole_force / parameters.slip_scale * min(pace, 1.0)
     error = wanted - slip
-    if abs(slip) > abs(wanted):
-        gain *= excess_gain
+    gain = gain * excess_gain if abs(slip) > abs(wanted) else gain
     force: float = gain * error + mass * (1.0 - min(abs(slip), 1.0)) * train_acceleration + friction
-    if demand < 0.0:
-        return max(demand, min(force, 0.0))
-    return min(demand, max(force, 0.0))
+    braking = max(demand, min(force, 0.0))
+    driving = min(demand, max(force, 0.0))
+    return braking if demand < 0.0 else driving

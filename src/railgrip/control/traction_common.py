@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from railgrip.control.adhesion_kalman import observe_by_kalman
 from railgrip.control.axle_forces import force_per_pressure, motor_force, pressures
-from railgrip.control.axle_protection import ALARM_SENSOR, protect_axle
+from railgrip.control.axle_protection import ALARM_SENSOR, protect_axles
 from railgrip.control.contract import (
     ALARM,
     AXLE_LOAD,
@@ -27,30 +27,19 @@ from railgrip.control.contract import (
     ROTATING_MASS,
     SANDING,
     TRACTIVE_EFFORT,
+    TRACTIVE_POWER,
     VENT,
     FloatArray,
 )
-from railgrip.control.conventional_parameters import (
-    ROTATING_SHARE,
-    SLIP_LOWER,
-    SLIP_SPEED_LOWER_FLOOR,
-    SLIP_SPEED_UPPER_FLOOR,
-    SLIP_UPPER,
-)
-from railgrip.control.conventional_state import (
-    DECELERATION,
-    IS_FAULTY,
-    REFERENCE,
-    SLIDES,
-    SPEED,
-    axle_base,
-)
-from railgrip.control.conventional_wsp import conventional_initial
+from railgrip.control.conventional_parameters import ROTATING_SHARE, SLIP_LOWER, conventional_of
+from railgrip.control.conventional_state import DECELERATION, IS_FAULTY, REFERENCE, SLIDES, SPEED
+from railgrip.control.conventional_wsp import conventional_initial, set_band
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.driven_faults import drive_as_neighbours, watch_driven_sensors
 from railgrip.control.driving_sights import know_train_speed
 from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, threshold
+from railgrip.control.state_layout import axle_base
 from railgrip.control.traction_parameters import FORCE_DRIFT, SLIP_GAIN, SPEED_NOISE
 from railgrip.control.traction_state import (
     APPLIED_BEFORE,
@@ -63,8 +52,6 @@ from railgrip.control.traction_state import (
     MASS,
     SHARE,
     SHARE_AT_SPIN,
-    own_base,
-    train_base,
 )
 from railgrip.control.train_observer import look_at_wheels, observe_train
 from railgrip.core.constants import GRAVITY
@@ -86,7 +73,7 @@ def traction_initial(
     conventional_initial(parameters, axle_setup, state, measured)
     n_axles = measured.shape[0]
     for axle in range(n_axles):
-        own = own_base(n_axles, axle)
+        own = axle_base(axle)
         load = axle_setup[axle, AXLE_LOAD]
         load = load if load > 1.0e3 else USUAL_LOAD
         mass = axle_setup[axle, ROTATING_MASS]
@@ -110,14 +97,14 @@ def observe_while_driving(
     for axle in range(n_axles):
         _observe_force(parameters, axle_setup, state, measured, axle, dt)
     know_train_speed(parameters, axle_setup, state, measured, dt)
-    state[train_base(n_axles) + CLOCK] += dt
+    state[CLOCK] += dt
 
 
 def _observe_force(
     parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
     axle: int, dt: float,
 ) -> None:  # fmt: skip
-    own = own_base(measured.shape[0], axle)
+    own = axle_base(axle)
     speed = state[axle_base(axle) + SPEED]
     mass = state[own + MASS]
     applied = -measured[axle, DYNAMIC_FORCE]
@@ -144,7 +131,9 @@ def demanded_force(
 ) -> float:
     """Return what the driver asks of an axle's motor at its present speed, [N]."""
     speed = state[axle_base(axle) + SPEED]
-    effort = motor_force(axle_setup, axle, speed, TRACTIVE_EFFORT, LEAST_SPEED)
+    effort = motor_force(
+        axle_setup[axle, TRACTIVE_EFFORT], axle_setup[axle, TRACTIVE_POWER], speed, LEAST_SPEED
+    )
     demand: float = effort * measured[axle, DRIVE_DEMAND]
     return demand
 
@@ -160,7 +149,7 @@ def lead_slip(
     F* = F + m_r (a_train + k (w_aim − w)), with the observed force F of the rail: the wheel then
     nears the slip speed aimed at with the time constant 1/k.
     """
-    own = own_base(measured.shape[0], axle)
+    own = axle_base(axle)
     speed = state[axle_base(axle) + SPEED]
     demand = demanded_force(axle_setup, state, measured, axle)
     if demand <= 0.0 or speed < STANDING:
@@ -176,19 +165,20 @@ def command_motor(
     axle: int, share: float, dt: float,
 ) -> None:  # fmt: skip
     """Write the command of one axle while the train is driven."""
-    n_axles = measured.shape[0]
     base = axle_base(axle)
-    own = own_base(n_axles, axle)
+    own = base
     spin_speed = state[base + SPEED] - state[REFERENCE]
     lower = threshold(SPIN_SHARE, SPIN_FLOOR, state[REFERENCE])
     limited = share < 0.999 and spin_speed > lower
     note_slide(state, base, VENT if limited else FILL, spin_speed, lower, dt)
     state[own + SHARE] = share
-    is_looking = state[train_base(n_axles) + LOOKING] == axle + 1.0
+    is_looking = state[LOOKING] == axle + 1.0
     command[axle, DYNAMIC_SHARE] = 0.0 if is_looking else share
     command[axle, FRICTION_SHARE] = 1.0
     command[axle, DUMP_VALVE] = FILL
-    command[axle, SANDING] = request_sand(parameters, state, base, dt)
+    command[axle, SANDING] = request_sand(
+        conventional_of(parameters), state, base, state[REFERENCE], dt
+    )
     command[axle, IS_SLIDING] = state[base + SLIDES]
     command[axle, ALARM] = ALARM_SENSOR if state[base + IS_FAULTY] > 0.0 else 0.0
     command[axle, REFERENCE_SPEED] = state[REFERENCE]
@@ -202,17 +192,14 @@ def brake_conventionally(
     observe_train(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
     learn_diameters(parameters, state, measured, dt)
     n_axles = measured.shape[0]
-    reference = state[REFERENCE]
-    lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)
-    upper = threshold(parameters[SLIP_UPPER], parameters[SLIP_SPEED_UPPER_FLOOR], reference)
+    set_band(parameters, state, n_axles)
+    protect_axles(parameters, state, command, dt)
     for axle in range(n_axles):
-        protect_axle(parameters, axle_setup, state, measured, command, axle, lower, upper, dt)
-        command[axle, REFERENCE_SPEED] = reference
-        own = own_base(n_axles, axle)
+        own = axle_base(axle)
         state[own + SHARE] = 1.0
         state[own + BELIEVED_SPEED] = state[axle_base(axle) + SPEED]
         state[own + FORCE] = 0.0
-    state[train_base(n_axles) + LOOKING] = 0.0
+    state[LOOKING] = 0.0
 
 
 def acts_on(axle_setup: FloatArray, state: FloatArray, axle: int) -> bool:

@@ -4,33 +4,30 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from railgrip.control.contract import (
-    BRAKED,
-    CYLINDER_PRESSURE,
-    DYNAMIC_FORCE,
-    MOTORED,
-    FloatArray,
-)
-from railgrip.control.conventional_parameters import (
-    DYNAMIC_LEAST_FORCE,
-    EMPTY_PRESSURE,
-    PRESSURE_PER_FORCE,
-)
+from railgrip.control.axle_signals import take_measured
+from railgrip.control.contract import BRAKE_DEMAND, FloatArray
+from railgrip.control.conventional_parameters import ConventionalParameters, conventional_of
 from railgrip.control.conventional_state import (
     ACCELERATION,
+    DYNAMIC,
+    EFFORT,
+    IS_BRAKED,
     IS_FAULTY,
+    IS_MOTORED,
+    PRESSURE,
     REFERENCE,
     SETTLED_CLOCK,
+    SHOWN_SPEED,
     SLIDES,
     SPEED,
     VOTE_CLOCK,
     WITNESS_CLOCK,
-    axle_base,
 )
 from railgrip.control.deceleration_estimate import estimate_deceleration, learn_pressure_gain
 from railgrip.control.free_axle import free_an_axle
-from railgrip.control.lone_leader import VOTES_AFTER, count_for_vote, outvote_leader
+from railgrip.control.lone_leader import VOTES_AFTER, VOTES_AT_MOST, outvote_leader
 from railgrip.control.reference_speed import advance_reference
+from railgrip.control.state_layout import axle_base, group_base, groups, in_group
 from railgrip.control.wheel_speed import read_wheel
 
 LOCKED_SHARE: Final = 0.05  # of the reference speed: the brake of a locked wheel measures nothing
@@ -106,42 +103,47 @@ def look_at_wheels(
 ) -> Wheels:
     """Update the wheels in the state and return what they show; arguments as above."""
     n_axles = measured.shape[0]
-    near = state[REFERENCE] * min(slip_lower, WITNESS_SLIP)
-    near = max(WITNESS_FLOOR, near)
-    fastest = 0.0
-    candidate = -1
-    seen = -1.0
-    effort = 0.0
-    acceleration = 0.0
+    take_measured(state, measured)
+    own = conventional_of(parameters)
+    reference = state[REFERENCE]
+    near = max(WITNESS_FLOOR, reference * min(slip_lower, WITNESS_SLIP))
+    is_braking = measured[0, BRAKE_DEMAND] > 0.0
+    is_fast = reference > own.dead_reference
     n_valid = 0
     n_witnesses = 0
     n_sliding = 0
     n_voters = 0
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            axle = group_base(group) + i
+            read_wheel(own, state, axle, is_braking, is_fast, dt)
+            _weigh_effort(own, state, axle, reference)
+            _settle(own, state, axle, dt)
+            _stay_near(state, axle, reference, near, dt)
+            is_valid = state[axle + IS_FAULTY] == 0.0
+            n_valid += 1 if is_valid else 0
+            n_witnesses += 1 if is_valid and state[axle + WITNESS_CLOCK] > WITNESS_AFTER else 0
+            n_sliding += 1 if is_valid and state[axle + SLIDES] > 0.0 else 0
+            n_voters += 1 if is_valid and state[axle + VOTE_CLOCK] > VOTES_AFTER else 0
+    fastest = 0.0
     leader = -1
+    candidate = -1
+    seen = -1.0
+    effort = 0.0
+    acceleration = 0.0
     for axle in range(n_axles):
         base = axle_base(axle)
-        read_wheel(parameters, state, base, measured, axle, dt)
-        if state[base + IS_FAULTY] > 0.0:
-            continue
-        n_valid += 1
+        is_valid = state[base + IS_FAULTY] == 0.0
         speed = state[base + SPEED]
-        acceleration += state[base + ACCELERATION]
-        if speed >= LOCKED_SHARE * state[REFERENCE]:
-            effort += braking_pressure(parameters, measured, axle)
-        if settle(parameters, state, base, measured, axle, dt):
-            seen = max(seen, speed)
-        if state[base + VOTE_CLOCK] > VOTES_AFTER:
-            n_voters += 1
-        if state[base + SLIDES] > 0.0:
-            n_sliding += 1
-        if is_near(state, base, near, dt):
-            n_witnesses += 1
-        if speed > fastest:
-            fastest = speed
-            leader = axle
-            if axle_setup[axle, BRAKED] > 0.0 or axle_setup[axle, MOTORED] > 0.0:
-                candidate = axle
-    if seen < max(FREE_SHARE * fastest, LOCKED_SHARE * state[REFERENCE]):
+        acceleration += state[base + ACCELERATION] if is_valid else 0.0
+        effort += state[base + EFFORT] if is_valid else 0.0
+        seen = state[base + SHOWN_SPEED] if is_valid and state[base + SHOWN_SPEED] > seen else seen
+        is_faster = is_valid and speed > fastest
+        can_be_freed = state[base + IS_BRAKED] + state[base + IS_MOTORED] > 0.0
+        fastest = speed if is_faster else fastest
+        leader = axle if is_faster else leader
+        candidate = axle if is_faster and can_be_freed else candidate
+    if seen < max(FREE_SHARE * fastest, LOCKED_SHARE * reference):
         seen = -1.0
     if n_voters >= ENOUGH_WITNESSES and leader >= 0:
         voted = outvote_leader(state, measured, leader, dt)
@@ -154,33 +156,44 @@ def look_at_wheels(
     return Wheels(fastest, seen, candidate, effort, acceleration, is_witnessed, is_adhering)
 
 
-def braking_pressure(parameters: FloatArray, measured: FloatArray, axle: int) -> float:
+def braking_pressure(parameters: ConventionalParameters, state: FloatArray, base: int) -> float:
     """Return the cylinder pressure that would brake as much as all brakes of the axle, [Pa]."""
-    pressure = (
-        measured[axle, CYLINDER_PRESSURE]
-        + parameters[PRESSURE_PER_FORCE] * measured[axle, DYNAMIC_FORCE]
-    )
+    pressure = state[base + PRESSURE] + parameters.pressure_per_force * state[base + DYNAMIC]
     return pressure if 0.0 < pressure < 1.0e7 else 0.0
 
 
-def is_near(state: FloatArray, base: int, near: float, dt: float) -> bool:
-    """Return whether a wheel has turned at the reference speed for a while."""
-    slip_speed = state[REFERENCE] - state[base + SPEED]
-    clock: float = state[base + WITNESS_CLOCK] + dt if slip_speed < near else 0.0
-    state[base + WITNESS_CLOCK] = clock
-    return clock > WITNESS_AFTER
+def _weigh_effort(
+    parameters: ConventionalParameters, state: FloatArray, base: int, reference: float
+) -> None:
+    """Note how hard the axle brakes; the brake of a locked wheel tells nothing."""
+    tells = state[base + SPEED] >= LOCKED_SHARE * reference
+    state[base + EFFORT] = braking_pressure(parameters, state, base) if tells else 0.0
 
 
-def settle(
-    parameters: FloatArray, state: FloatArray, base: int, measured: FloatArray, axle: int, dt: float
-) -> bool:
-    """Return whether an unbraked wheel has stopped turning faster: it then shows the train."""
+def _stay_near(state: FloatArray, base: int, reference: float, near: float, dt: float) -> None:
+    """Count how long a believed wheel has turned at the reference speed."""
+    is_near = reference - state[base + SPEED] < near
+    clock = state[base + WITNESS_CLOCK] + dt if is_near else 0.0
+    is_valid = state[base + IS_FAULTY] == 0.0
+    state[base + WITNESS_CLOCK] = clock if is_valid else state[base + WITNESS_CLOCK]
+
+
+def _settle(parameters: ConventionalParameters, state: FloatArray, base: int, dt: float) -> None:
+    """Note the speed of an unbraked wheel that has stopped turning faster: it shows the train.
+
+    For the vote its clock runs forth while it gains no speed, and back while it does. Between two
+    teeth the acceleration of a pole wheel trembles by more than half a metre per second squared, so
+    it is the majority of the readings that counts.
+    """
+    is_valid = state[base + IS_FAULTY] == 0.0
     is_unbraked = (
-        measured[axle, CYLINDER_PRESSURE] < parameters[EMPTY_PRESSURE]
-        and measured[axle, DYNAMIC_FORCE] < parameters[DYNAMIC_LEAST_FORCE]
+        state[base + PRESSURE] < parameters.empty_pressure
+        and state[base + DYNAMIC] < parameters.dynamic_least_force
     )
     settles = is_unbraked and state[base + ACCELERATION] < GAINING_ACCELERATION
-    count_for_vote(state, base, is_unbraked, settles, dt)
-    clock: float = state[base + SETTLED_CLOCK] + dt if settles else 0.0
-    state[base + SETTLED_CLOCK] = clock
-    return clock > SETTLED_AFTER
+    votes = state[base + VOTE_CLOCK] + (dt if settles else -dt)
+    votes = min(max(votes, 0.0), VOTES_AT_MOST) if is_unbraked else 0.0
+    clock = state[base + SETTLED_CLOCK] + dt if settles else 0.0
+    state[base + VOTE_CLOCK] = votes if is_valid else state[base + VOTE_CLOCK]
+    state[base + SETTLED_CLOCK] = clock if is_valid else state[base + SETTLED_CLOCK]
+    state[base + SHOWN_SPEED] = state[base + SPEED] if clock > SETTLED_AFTER else -1.0

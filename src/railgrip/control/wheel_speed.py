@@ -8,30 +8,26 @@ from __future__ import annotations
 
 from typing import Final
 
-from railgrip.control.contract import CYLINDER_PRESSURE, DYNAMIC_FORCE, WHEEL_SPEED, FloatArray
-from railgrip.control.conventional_parameters import (
-    ACCELERATION_FILTER,
-    DEAD_REFERENCE,
-    DEAD_SPEED,
-    DEAD_TIME,
-    DYNAMIC_LEAST_FORCE,
-    EMPTY_PRESSURE,
-    FROZEN_TIME,
-)
+from railgrip.control.contract import FloatArray
+from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.conventional_state import (
     ACCELERATION,
+    CORRECTIONS,
     DEAD_CLOCK,
     DIAMETER,
+    DYNAMIC,
     FROZEN_CLOCK,
     IS_FAULTY,
     LAST_READING,
     LAST_STEP,
-    REFERENCE,
+    LEAD_CLOCK,
+    PRESSURE,
+    READING,
     ROUGHNESS,
     SPEED,
     SPEED_LAG,
 )
-from railgrip.control.lone_leader import is_outvoted
+from railgrip.control.lone_leader import OUTVOTED_AFTER
 
 ROUGH: Final = 0.15
 """Mean change of the step from reading to reading, m/s, that no wheel shows."""
@@ -47,18 +43,27 @@ GREATEST_SPEED = 200.0
 
 
 def read_wheel(
-    parameters: FloatArray, state: FloatArray, base: int, measured: FloatArray, axle: int, dt: float
+    parameters: ConventionalParameters,
+    state: FloatArray,
+    base: int,
+    is_braking: bool,
+    is_fast: bool,
+    dt: float,
 ) -> None:
     """Update speed, acceleration and fault of one axle in the state.
 
     Parameters
     ----------
-    parameters, state, measured : ndarray
-        As in the controller contract.
+    parameters : ConventionalParameters
+        By name.
+    state : ndarray
+        As in the controller contract; what is measured has been put into it.
     base : int
-        Where the axle's block begins in the state.
-    axle : int
-        Row in ``measured``.
+        Where the axle's values begin.
+    is_braking : bool
+        Whether the brake is demanded.
+    is_fast : bool
+        Whether the train is faster than `dead_reference`.
     dt : float
         Period, [s].
 
@@ -71,67 +76,76 @@ def read_wheel(
     reference speed up and all other brakes released. A reading that jumps as no wheel can, or that
     trembles, is none of a wheel either, and an axle that other wheels outvoted stays so.
     """
-    reading = measured[axle, WHEEL_SPEED]
-    if not -GREATEST_SPEED < reading < GREATEST_SPEED:
-        state[base + IS_FAULTY] = 1.0
-        state[base + DEAD_CLOCK] = parameters[DEAD_TIME]
-        return
-    speed = abs(reading) * state[base + DIAMETER]
-    is_spoilt = _trembles(state, base, abs(reading), dt)
-    if is_spoilt or is_outvoted(state, base, measured, axle, dt):
-        state[base + IS_FAULTY] = 1.0
-        state[base + DEAD_CLOCK] = parameters[DEAD_TIME]
-    if state[REFERENCE] > parameters[DEAD_REFERENCE]:
-        _watch_dead_sensor(parameters, state, base, measured, axle, speed, dt)
-    blend = dt / (parameters[ACCELERATION_FILTER] + dt)
+    reading = state[base + READING]
+    is_number = -GREATEST_SPEED < reading < GREATEST_SPEED
+    magnitude = abs(reading) if is_number else 0.0
+    is_spoilt = _trembles(state, base, magnitude, is_number, dt)
+    is_dropped = _stays_dropped(state, base, is_braking, is_number, dt)
+    is_wrong = is_spoilt or is_dropped or not is_number
+    state[base + IS_FAULTY] = 1.0 if is_wrong else state[base + IS_FAULTY]
+    state[base + DEAD_CLOCK] = parameters.dead_time if is_wrong else state[base + DEAD_CLOCK]
+    speed = magnitude * state[base + DIAMETER]
+    _watch_dead_sensor(parameters, state, base, speed, is_fast and is_number, dt)
+    blend = dt / (parameters.acceleration_filter + dt)
     lag = state[base + SPEED_LAG]
     lag += blend * (speed - lag)
-    state[base + SPEED] = speed
-    state[base + SPEED_LAG] = lag
-    state[base + ACCELERATION] = (speed - lag) / parameters[ACCELERATION_FILTER]
+    acceleration = (speed - lag) / parameters.acceleration_filter
+    state[base + SPEED] = speed if is_number else state[base + SPEED]
+    state[base + SPEED_LAG] = lag if is_number else state[base + SPEED_LAG]
+    state[base + ACCELERATION] = acceleration if is_number else state[base + ACCELERATION]
 
 
-def _trembles(state: FloatArray, base: int, reading: float, dt: float) -> bool:
+def _trembles(state: FloatArray, base: int, reading: float, is_number: bool, dt: float) -> bool:
     """Return whether a reading jumps, or changes its change, more than a wheel's inertia allows.
 
     Noise makes the step from reading to reading change by about twice its standard deviation each
     time, whatever the period; a wheel's step changes with its jerk only.
     """
     step = reading - state[base + LAST_READING]
-    state[base + LAST_READING] = reading
     change = min(abs(step - state[base + LAST_STEP]), GREATEST_TREMBLE)
     roughness = state[base + ROUGHNESS]
     roughness += dt * PER_ROUGH_TIME * (change - roughness)
-    state[base + LAST_STEP] = step
-    state[base + ROUGHNESS] = roughness
-    return bool(roughness > ROUGH or abs(step) > GREATEST_JUMP + GREATEST_RATE * dt)
+    state[base + LAST_READING] = reading if is_number else state[base + LAST_READING]
+    state[base + LAST_STEP] = step if is_number else state[base + LAST_STEP]
+    state[base + ROUGHNESS] = roughness if is_number else state[base + ROUGHNESS]
+    is_rough = roughness > ROUGH or abs(step) > GREATEST_JUMP + GREATEST_RATE * dt
+    return bool(is_rough and is_number)
+
+
+def _stays_dropped(
+    state: FloatArray, base: int, is_braking: bool, is_number: bool, dt: float
+) -> bool:
+    """Return whether other wheels have outvoted the axle in this application of the brake."""
+    clock = state[base + LEAD_CLOCK]
+    clock = clock if is_braking else 0.0
+    is_dropped = clock > OUTVOTED_AFTER
+    clock = clock + dt if is_dropped else clock
+    state[base + LEAD_CLOCK] = clock if is_number else state[base + LEAD_CLOCK]
+    forgets = is_number and not is_braking
+    state[base + CORRECTIONS] = 0.0 if forgets else state[base + CORRECTIONS]
+    return bool(is_dropped and is_number)
 
 
 def _watch_dead_sensor(
-    parameters: FloatArray,
-    state: FloatArray,
-    base: int,
-    measured: FloatArray,
-    axle: int,
-    speed: float,
+    parameters: ConventionalParameters, state: FloatArray, base: int, speed: float, watches: bool,
     dt: float,
-) -> None:
+) -> None:  # fmt: skip
     """Decide between a locked wheel and a dead or frozen sensor, with clocks."""
     is_braked = (
-        measured[axle, CYLINDER_PRESSURE] >= parameters[EMPTY_PRESSURE]
-        or measured[axle, DYNAMIC_FORCE] >= parameters[DYNAMIC_LEAST_FORCE]
+        state[base + PRESSURE] >= parameters.empty_pressure
+        or state[base + DYNAMIC] >= parameters.dynamic_least_force
     )
+    turns = speed > parameters.dead_speed
     is_same = state[base + LAST_STEP] == 0.0
-    clock = state[base + DEAD_CLOCK]
-    if speed > parameters[DEAD_SPEED]:
-        clock = max(0.0, clock - dt)
-        frozen = state[base + FROZEN_CLOCK] + dt if is_same and is_braked else 0.0
-        state[base + FROZEN_CLOCK] = frozen
-        clock = parameters[DEAD_TIME] if frozen >= parameters[FROZEN_TIME] else clock
-    elif not is_braked:
-        clock = min(parameters[DEAD_TIME], clock + dt)
-    state[base + DEAD_CLOCK] = clock
-    if clock >= parameters[DEAD_TIME]:
-        state[base + IS_FAULTY] = 1.0
-    elif clock <= 0.0:
-        state[base + IS_FAULTY] = 0.0
+    frozen = state[base + FROZEN_CLOCK] + dt if is_same and is_braked else 0.0
+    frozen = frozen if turns else state[base + FROZEN_CLOCK]
+    before = state[base + DEAD_CLOCK]
+    turning = max(0.0, before - dt)
+    turning = parameters.dead_time if frozen >= parameters.frozen_time else turning
+    standing = before if is_braked else min(parameters.dead_time, before + dt)
+    clock = turning if turns else standing
+    faulty = 0.0 if clock <= 0.0 else state[base + IS_FAULTY]
+    faulty = 1.0 if clock >= parameters.dead_time else faulty
+    state[base + FROZEN_CLOCK] = frozen if watches else state[base + FROZEN_CLOCK]
+    state[base + DEAD_CLOCK] = clock if watches else before
+    state[base + IS_FAULTY] = faulty if watches else state[base + IS_FAULTY]

@@ -26,7 +26,7 @@ _sensor = inlined(lagging_sensor)
 @compiled
 def _gather(L: int, S: Any, memory: Any, plan: Any, n_axles: int, k: int) -> None:
     """Put what brake control of lane k sees into its table."""
-    measured, seen = memory.brake_measured[k], memory.measured[k]
+    measured, seen = memory.brake_measured[k], memory.measured[k].T
     own = plan.brake_control
     for axle in range(n_axles):
         b = (1 + axle) * at.N_VARS * L + k
@@ -50,7 +50,7 @@ def _gather(L: int, S: Any, memory: Any, plan: Any, n_axles: int, k: int) -> Non
     measured[0, table.DECELERATION] = deceleration + S[at.DECELERATION_OFFSET * L + k]
     measured[0, table.BRAKE_DEMAND] = S[at.DRIVER_DEMAND * L + k]
     measured[0, table.EMERGENCY] = S[at.EMERGENCY * L + k]
-    measured[0, table.TRAIN_SPEED] = memory.command[k, 0, ctl.REFERENCE_SPEED]
+    measured[0, table.TRAIN_SPEED] = memory.command[k, ctl.REFERENCE_SPEED, 0]
     weight = S[at.TRAIN_MASS * L + k] * GRAVITY
     measured[0, table.GRADIENT] = S[at.GRADIENT_FORCE * L + k] / weight
     believed = S[at.POSITION * L + k] + S[at.POSITION_ERROR * L + k]

@@ -168,7 +168,7 @@ def _listen(
 ) -> None:
     """Put what lane k measures into its table; wheel rotation monitoring looks at it too."""
     slot = at.SPEED_HISTORY + ((moment - timing.sensor_delay) & WRAP)
-    measured, alarm = memory.measured[k], memory.alarm[k]
+    measured, alarm = memory.measured[k].T, memory.alarm[k]
     demand, emergency = S[at.DRIVER_DEMAND * L + k], S[at.EMERGENCY * L + k]
     gather(
         to.as_offset(L), S, measured, demand, emergency, S[at.DRIVE_DEMAND * L + k],
@@ -195,10 +195,10 @@ def control(
         if S[at.RUN * L + k] < 0.0:
             continue
         tick = int(S[at.TICK * L + k])
-        command = memory.command[k]
+        command = memory.command[k].T
         if tick % timing.control_every == 0:
             _listen(L, S, memory, monitor, timing, n_axles, moment, k)
-            measured, state = memory.measured[k], memory.controller_state[k]
+            measured, state = memory.measured[k].T, memory.controller_state[k]
             if tick == 0:
                 initial(parameters, setup, state, measured)
             controller(parameters, setup, state, measured, command, period)
@@ -435,9 +435,9 @@ def after_control_single(memory: Any, plan: Any, moment: int, custom: Any) -> No
     S = memory.lanes
     n_axles = plan.formation.vehicle_of_axle.shape[0]
     slot = to.as_offset(at.VALVE_HISTORY + (moment & WRAP))
-    obey(to.as_offset(1), S, memory.command[0], plan.n_axles, to.as_offset(0), slot)
+    obey(to.as_offset(1), S, memory.command[0].T, plan.n_axles, to.as_offset(0), slot)
     share_inverters(1, S, plan.formation.inverter_of_axle, 0)
-    ask_for_sand(1, S, memory.command[0], n_axles, 0)
+    ask_for_sand(1, S, memory.command[0].T, n_axles, 0)
     if plan.brake_control.every > 0:
         control_brakes(1, S, memory, plan)
     advance_single(S, plan, custom, moment)

@@ -137,7 +137,7 @@ def _formation(scenario: Scenario, table: FloatArray, brakes: FloatArray) -> For
     n_vehicles = len(train.vehicle)
     masses = np.array([v.tare + p for v, p in zip(train.vehicle, scenario.payloads(), strict=True)])
     air = train.reservoir
-    setup = np.zeros((len(axles), ctl.N_SETUP))
+    setup = np.zeros((len(axles), ctl.N_SETUP), order="F")
     has_motors = train.dynamic_brake is not None or train.traction is not None
     for i, place in enumerate(axles):
         setup[i, ctl.BELIEVED_RADIUS] = place.axle.believed_radius

@@ -29,8 +29,7 @@ N_PARAMETERS = 3
 STATE = 4  # where its part of the state begins: ticks to wait, setup, measured, command, own
 N_STATE = 5
 EVERY = 6  # steps of the mixture between two of its own
-TOGETHER = 7  # 1 where its axles follow one another: it then works on the train's own rows
-N_HEAD = 8
+N_HEAD = 7
 
 # What the plain form keeps of each unit
 OWN, WAIT, LAST = range(3)
@@ -148,7 +147,7 @@ def _mixed(whole: Mixture, forms: list[Compiled]) -> Compiled:
         n_state = 1 + len(unit.axles) * N_TABLES + form.state_size
         head[i] = (
             begins[i], len(unit.axles), begins[len(forms) + i], len(form.parameters), state,
-            n_state, unit.every, (np.diff(unit.axles) == 1).all(),
+            n_state, unit.every,
         )  # fmt: skip
         state += n_state
     return Compiled(
@@ -193,18 +192,11 @@ def mixed_kernel(kernels: tuple[Any, ...]) -> Any:
             seen_at = own + 1 + n * ctl.N_SETUP
             said_at = seen_at + n * ctl.N_MEASURED
             rest = said_at + n * ctl.N_COMMAND
-            setup = state[own + 1 : seen_at].reshape((n, ctl.N_SETUP))
-            seen = state[seen_at:said_at].reshape((n, ctl.N_MEASURED))
-            said = state[said_at:rest].reshape((n, ctl.N_COMMAND))
+            setup = state[own + 1 : seen_at].reshape((ctl.N_SETUP, n)).T
+            seen = state[seen_at:said_at].reshape((ctl.N_MEASURED, n)).T
+            said = state[said_at:rest].reshape((ctl.N_COMMAND, n)).T
             first, last = int(head[PARAMETERS]), int(head[PARAMETERS] + head[N_PARAMETERS])
             memory = state[rest : own + int(head[N_STATE])]
-            if head[TOGETHER] > 0.0:
-                axle = int(parameters[listed])
-                kernels[unit](
-                    parameters[first:last], setup, memory, measured[axle : axle + n],
-                    command[axle : axle + n], dt * head[EVERY],
-                )  # fmt: skip
-                continue
             take(measured, parameters, listed, n, seen)
             take(command, parameters, listed, n, said)
             kernels[unit](parameters[first:last], setup, memory, seen, said, dt * head[EVERY])
@@ -228,8 +220,8 @@ def mixed_initial(initials: tuple[Any, ...]) -> Any:
             seen_at = own + 1 + n * ctl.N_SETUP
             said_at = seen_at + n * ctl.N_MEASURED
             rest = said_at + n * ctl.N_COMMAND
-            setup = state[own + 1 : seen_at].reshape((n, ctl.N_SETUP))
-            seen = state[seen_at:said_at].reshape((n, ctl.N_MEASURED))
+            setup = state[own + 1 : seen_at].reshape((ctl.N_SETUP, n)).T
+            seen = state[seen_at:said_at].reshape((ctl.N_MEASURED, n)).T
             take(axle_setup, parameters, listed, n, setup)
             renumber(setup, ctl.BOGIE)
             renumber(setup, ctl.VEHICLE)

@@ -248,8 +248,8 @@ class Memory(NamedTuple):
     ring_factor: FloatArray
     ring_sand: FloatArray
     controller_state: FloatArray
-    measured: FloatArray
-    command: FloatArray
+    measured: FloatArray  # (lane, column, axle)
+    command: FloatArray  # (lane, column, axle)
     monitor_state: FloatArray
     alarm: FloatArray
     brake_state: FloatArray

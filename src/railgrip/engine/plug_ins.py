@@ -10,14 +10,11 @@ from numba import types as nbt
 from railgrip.compiler import inlined, numba, with_compiled_callees
 from railgrip.contact.rail_friction import RailFriction
 
-CONTROLLER_KERNEL = nbt.void(
-    nbt.float64[::1], nbt.float64[:, ::1], nbt.float64[::1],
-    nbt.float64[:, ::1], nbt.float64[:, ::1], nbt.float64,
-)  # fmt: skip
+FLAT, TABLE = nbt.float64[::1], nbt.float64[::1, :]
+"""In a table the axles' values of one column lie side by side: loops over them become packed."""
+CONTROLLER_KERNEL = nbt.void(FLAT, TABLE, FLAT, TABLE, TABLE, nbt.float64)
 """Signature of a compiled controller: parameters, axle_setup, state, measured, command, dt."""
-CONTROLLER_INITIAL = nbt.void(
-    nbt.float64[::1], nbt.float64[:, ::1], nbt.float64[::1], nbt.float64[:, ::1]
-)
+CONTROLLER_INITIAL = nbt.void(FLAT, TABLE, FLAT, TABLE)
 """Signature of what fills a controller's state: parameters, axle_setup, state, measured."""
 CREEP_LAW = nbt.float64(*[nbt.float64] * 9)
 """Signature of a creep law from outside: friction state (5), load, slope, slip speed, creepage."""

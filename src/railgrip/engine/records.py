@@ -73,7 +73,7 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
     train[0] = S[at.TRAIN_SPEED * L + k]
     train[1] = S[at.POSITION * L + k]
     train[2] = -S[at.LAST_DECELERATION * L + k]
-    train[3] = memory.command[k, 0, ctl.REFERENCE_SPEED]
+    train[3] = memory.command[k, ctl.REFERENCE_SPEED, 0]
     timing = plan.timing
     train[4], _ = driver_demand(
         tick, timing.demand_tick, timing.demand_level, timing.demand_emergency
@@ -82,12 +82,12 @@ def record(L: int, S: Any, memory: Any, plan: Any, out: Any, n_axles: int, k: in
     train[6] = drive_demand(tick, timing.drive_tick, timing.drive_level)
     if plan.driver.every > 0:
         train[4], train[6] = S[at.DRIVER_DEMAND * L + k], S[at.DRIVE_DEMAND * L + k]
-    train[7] = memory.command[k, 0, ctl.WSP_STATE]
+    train[7] = memory.command[k, ctl.WSP_STATE, 0]
     train[8] = S[at.BRAKE_CORRECTION * L + k]
     for axle in range(n_axles):
         line = out.trace_axle[run, row, axle]
-        _record_axle(L, S, memory.command[k, axle], line, plan, axle, k)
-        line[1] = memory.measured[k, axle, ctl.WHEEL_SPEED]
+        _record_axle(L, S, memory.command[k].T[axle], line, plan, axle, k)
+        line[1] = memory.measured[k, ctl.WHEEL_SPEED, axle]
     n_vehicles = out.trace_vehicle.shape[2]
     for vehicle in range(n_vehicles):
         out.trace_vehicle[run, row, vehicle] = memory.reservoirs[vehicle * L + k]

@@ -92,8 +92,8 @@ def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
         ring_factor=np.ones(ring),
         ring_sand=np.zeros(ring),
         controller_state=np.zeros((lanes, max(prepared.compiled.state_size, 1))),
-        measured=np.zeros((lanes, n_axles, ctl.N_MEASURED)),
-        command=np.zeros((lanes, n_axles, ctl.N_COMMAND)),
+        measured=np.zeros((lanes, ctl.N_MEASURED, n_axles)),
+        command=np.zeros((lanes, ctl.N_COMMAND, n_axles)),
         monitor_state=np.zeros((lanes, rotation_state_size(n_axles))),
         alarm=np.zeros((lanes, n_axles)),
         brake_state=np.zeros((lanes, brake_state_size(n_axles) if plan.brake_control.every else 0)),
@@ -328,10 +328,10 @@ def _run_plain(
         while kernel.before_control_single(own, plan, out, moment) == RunStatus.RUNNING:
             if moment % every == 0:
                 try:
-                    own.command[0] = step(prepared.controller, state, own.measured[0], period)
+                    own.command[0] = step(prepared.controller, state, own.measured[0].T, period).T
                 except RailgripError as error:
                     # no command at all: the run ends with its status, its way is kept
-                    own.command[0, :, ctl.DUMP_VALVE] = np.nan
+                    own.command[0, ctl.DUMP_VALVE] = np.nan
                     prepared.failures[run] = str(error)
             kernel.after_control_single(own, plan, moment, prepared.creep_law)
             moment += 1

@@ -118,11 +118,11 @@ def _begin_control(L: int, S: Any, memory: Any, n_axles: int, k: int) -> None:
         memory.alarm[k, axle] = 0.0
     for axle in range(n_axles):
         for i in range(ctl.N_COMMAND):
-            memory.command[k, axle, i] = 0.0
+            memory.command[k, i, axle] = 0.0
         for i in range(ctl.N_MEASURED):
-            memory.measured[k, axle, i] = 0.0
+            memory.measured[k, i, axle] = 0.0
         measured = S[((1 + axle) * at.N_VARS + at.MEASURED_SPEED) * L + k]
-        memory.measured[k, axle, ctl.WHEEL_SPEED] = measured
-        memory.command[k, axle, ctl.DYNAMIC_SHARE] = 1.0
-        memory.command[k, axle, ctl.FRICTION_SHARE] = 1.0
-        memory.command[k, axle, ctl.REFERENCE_SPEED] = S[at.TRAIN_SPEED * L + k]
+        memory.measured[k, ctl.WHEEL_SPEED, axle] = measured
+        memory.command[k, ctl.DYNAMIC_SHARE, axle] = 1.0
+        memory.command[k, ctl.FRICTION_SHARE, axle] = 1.0
+        memory.command[k, ctl.REFERENCE_SPEED, axle] = S[at.TRAIN_SPEED * L + k]

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from railgrip.control import contract as ctl
+from railgrip.control import conventional_state as st
 from railgrip.control.adaptive_forces import weigh_axles
 from railgrip.control.adaptive_parameters import BY_LOAD, PRESSURE, AdaptiveParameters
 from railgrip.control.adaptive_state import (
@@ -19,9 +20,6 @@ from railgrip.control.adaptive_state import (
     N_MICRO,
     RANGE_CLOCK,
     SLID,
-    adaptive_state_size,
-    axle_place,
-    system_place,
 )
 from railgrip.control.adaptive_supervisor import set_range
 from railgrip.control.adaptive_wsp import AdaptiveWSP, adaptive_initial
@@ -34,8 +32,8 @@ from railgrip.control.conventional_state import (
     REFERENCE,
     SETTLED_CLOCK,
     SPEED,
-    axle_base,
 )
+from railgrip.control.state_layout import axle_base, state_size
 
 N = 4
 DT = 0.02
@@ -51,7 +49,7 @@ class Bench:
         self.setup = ctl.setup_array(setup)
         self.measured = np.zeros((N, ctl.N_MEASURED))
         self.measured[:, ctl.WHEEL_SPEED] = SPEED_NOW
-        self.state = np.zeros(adaptive_state_size(N))
+        self.state = np.zeros(state_size(N))
         adaptive_initial(self.parameters, self.setup, self.state, self.measured)
         self.state[REFERENCE] = SPEED_NOW
         self.state[DECELERATION] = 0.5
@@ -60,15 +58,15 @@ class Bench:
         for axle in axles:
             self.state[axle_base(axle) + SPEED] = SPEED_NOW * (1 - slip)
             self.state[axle_base(axle) + ACCELERATION] = acceleration
-            self.measured[axle, ctl.CYLINDER_PRESSURE] = pressure
+            self.state[axle_base(axle) + st.PRESSURE] = pressure
         for _ in range(round(seconds / DT)):
-            weigh_axles(self.parameters, self.setup, self.state, self.measured, DT)
+            weigh_axles(self.parameters, self.state, N, DT)
 
     def of(self, axle, place):
-        return self.state[axle_place(axle, N) + place]
+        return self.state[axle_base(axle) + place]
 
     def sum(self, place):
-        return self.state[system_place(N) + place]
+        return self.state[place]
 
 
 def test_f0_is_stored_at_breakaway_and_kept():

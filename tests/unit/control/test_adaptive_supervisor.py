@@ -22,17 +22,15 @@ from railgrip.control.adaptive_state import (
     MICRO_FORCE,
     N_MACRO,
     N_MICRO,
+    RANGE,
     RANGE_CLOCK,
     SLID,
     STATE,
     TEST_CLOCK,
     TESTED_AT,
-    adaptive_state_size,
-    axle_place,
-    system_place,
 )
 from railgrip.control.contract import MACRO, MICRO, MIDDLE
-from railgrip.control.slip_ranges import range_place
+from railgrip.control.state_layout import axle_base, state_size
 from railgrip.core.errors import RailgripError
 
 N = 4
@@ -45,28 +43,28 @@ class Bench:
 
     def __init__(self, number, slip_range=MACRO, **parameters):
         self.parameters = np.array(AdaptiveParameters(**parameters))
-        self.state = np.zeros(adaptive_state_size(N))
+        self.state = np.zeros(state_size(N))
         self.system(STATE, number)
         for axle in range(N):
-            self.state[range_place(axle, N)] = slip_range
+            self.state[axle_base(axle) + RANGE] = slip_range
             self.axle(axle, RANGE_CLOCK, 9.0)
 
     def system(self, place, value):
-        self.state[system_place(N) + place] = value
+        self.state[place] = value
 
     def axle(self, axle, place, value):
-        self.state[axle_place(axle, N) + place] = value
+        self.state[axle_base(axle) + place] = value
 
     def of(self, axle, place):
-        return self.state[axle_place(axle, N) + place]
+        return self.state[axle_base(axle) + place]
 
     def step(self):
         sup.supervise(self.parameters, self.state, N, DT)
-        return self.state[system_place(N) + STATE]
+        return self.state[STATE]
 
     @property
     def ranges(self):
-        return [self.state[range_place(axle, N)] for axle in range(N)]
+        return [self.state[axle_base(axle) + RANGE] for axle in range(N)]
 
 
 def lookout(bench, leader, follower, slid=20.0):
@@ -181,7 +179,7 @@ def late(bench):
 @pytest.mark.parametrize(("before", "after", "make"), TAKEN)
 def test_a_way(before, after, make):
     bench = make()
-    assert bench.state[system_place(N) + STATE] == before
+    assert bench.state[STATE] == before
     assert bench.step() == after
 
 
@@ -222,7 +220,7 @@ def test_the_axle_tested_longest_ago_is_next():
     bench = Bench(308.0, MICRO, test_pause=0.0, **SOURCE)
     for axle, number in enumerate((5.0, 3.0, 4.0, 0.0)):
         bench.axle(axle, TESTED_AT, number)
-    bench.state[range_place(3, N)] = MACRO  # one that stayed in macro is no test axle
+    bench.state[axle_base(3) + RANGE] = MACRO  # one that stayed in macro is no test axle
     bench.step()
     assert bench.ranges == [MICRO, MACRO, MICRO, MACRO]
 
@@ -254,7 +252,7 @@ def test_an_axle_that_never_broke_away_does_not_pass():
     bench = on_trial(Bench(310.0, **SOURCE), force=5.0)
     bench.axle(2, F0, 0.0)
     assert bench.step() == at.AXLE_TO_MICRO
-    assert bench.state[system_place(N) + HAS_PASSED] == 0.0
+    assert bench.state[HAS_PASSED] == 0.0
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from railgrip.control import conventional_state as st
+from railgrip.control import state_layout as layout
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.deceleration_estimate import estimate_deceleration, learn_pressure_gain
 from railgrip.control.free_axle import free_an_axle
@@ -14,7 +15,7 @@ DT = 0.01
 
 
 def train(reference=40.0, gain=4e-6):
-    state = np.zeros(st.state_size(4))
+    state = np.zeros(layout.state_size(4))
     state[st.REFERENCE] = state[st.FASTEST_LAG] = state[st.SEEN_SPEED] = reference
     state[st.PRESSURE_GAIN] = gain
     return state

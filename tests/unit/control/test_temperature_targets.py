@@ -11,11 +11,13 @@ from hypothesis import strategies as st
 
 from railgrip.control import contract as ctl
 from railgrip.control.adhesion_window import observe_friction
+from railgrip.control.conventional_state import DYNAMIC, SPEED
 from railgrip.control.pressure_following import follow_pressure
+from railgrip.control.state_layout import axle_base, state_size
 from railgrip.control.temperature_controlled import TemperatureControlled
 from railgrip.control.temperature_limit import limit_factor
 from railgrip.control.temperature_parameters import LINEAR, TemperatureParameters
-from railgrip.control.temperature_state import FRICTION, MASS, N_OWN
+from railgrip.control.temperature_state import FRICTION, MASS
 from railgrip.control.temperature_targets import (
     admissible_power,
     force_target,
@@ -35,6 +37,7 @@ ALONG, ACROSS = P.semi_axis_along, P.semi_axis_across
 STILL = flash_conductance(STEEL_ERTZ_2002, ALONG, ACROSS, 0.0) ** 2
 MOVING = flash_conductance(STEEL_ERTZ_2002, ALONG, ACROSS, 1.0) ** 2 - STILL
 speeds = st.floats(1.0, 80.0)
+BASE = axle_base(0)
 
 
 def power(parameters: Any, wheel: float, train: float) -> float:
@@ -89,7 +92,7 @@ def test_power_grows_with_v_in_the_source_and_with_its_root_in_physics() -> None
 def test_without_any_limit_the_slip_target_is_its_bound() -> None:
     free = P._replace(rise_wheel=0.0, rise_rail=0.0)
     speed = friction_speed(free, power(free, 20.0, 20.0), -5e3, 127e3)
-    assert slip_target(free, speed, 20.0, -1.0) == -0.25
+    assert slip_target(free, speed, 20.0, P.greatest_slip, -1.0) == -0.25
 
 
 def test_floors_keep_a_standing_train_from_being_refused() -> None:
@@ -122,36 +125,38 @@ def test_the_limit_follows_its_course() -> None:
 def observe(state: np.ndarray, sample: int, speed: float) -> None:
     """A window of ten samples, and 8 kN applied."""
     length = min(10, sample)
-    observe_friction(state, 0, sample, length, speed, -8e3, 0.01, 100.0 / max(length, 1))
+    state[BASE + SPEED] = speed
+    state[BASE + DYNAMIC] = 8e3
+    observe_friction(state, 1, sample, length, 0.01, 100.0 / max(length, 1))
 
 
 def test_the_window_finds_the_force_of_the_rail() -> None:
     """A wheel of 1 t braked by 8 kN that slows by 2 m/s²: the rail gives 6 kN."""
-    state = np.zeros(N_OWN)
-    state[MASS] = 1000.0
+    state = np.zeros(state_size(1))
+    state[BASE + MASS] = 1000.0
     for sample in range(40):
         observe(state, sample, 30.0 - 0.02 * sample)
-    assert state[FRICTION] == pytest.approx(-6e3, rel=1e-9)
+    assert state[BASE + FRICTION] == pytest.approx(-6e3, rel=1e-9)
 
 
 def test_the_window_lags_by_half_its_length() -> None:
-    state = np.zeros(N_OWN)
-    state[MASS] = 1000.0
+    state = np.zeros(state_size(1))
+    state[BASE + MASS] = 1000.0
     speed, seen = 30.0, []
     for sample in range(100):
         rail = -4e3 if sample < 50 else -8e3
         observe(state, sample, speed)
-        seen.append(state[FRICTION])
+        seen.append(state[BASE + FRICTION])
         speed += (-8e3 - rail) / 1000.0 * 0.01
     assert seen[49] == pytest.approx(-4e3)
     assert 4 <= int(np.argmax(np.array(seen[50:]) < -6e3)) <= 7
 
 
 def test_a_valve_leads_a_late_cylinder_to_its_pressure() -> None:
-    state = np.zeros(N_OWN)
+    state = np.zeros(state_size(1))
     pressure, commands, course = 3.0e5, [ctl.HOLD] * 6, []
     for _ in range(300):
-        commands.append(follow_pressure(np.array(P), state, 0, pressure, 1.2e5, 3.0e5, 0.01))
+        commands.append(follow_pressure(P, state, BASE, True, pressure, 1.2e5, 3.0e5, 0.01))
         if commands[-6] == ctl.VENT:
             pressure -= pressure / 0.3 * 0.01
         elif commands[-6] == ctl.FILL:

@@ -3,30 +3,29 @@
 import numpy as np
 import pytest
 
-from railgrip.control import contract as ctl
 from railgrip.control import conventional_state as st
+from railgrip.control import state_layout as layout
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.wheel_speed import read_wheel
 
-P = np.array(ConventionalParameters())
+P = ConventionalParameters()
 DT = 0.01
 
 
 def wheel(reference=30.0, speed=30.0):
-    state = np.zeros(st.state_size(1))
+    state = np.zeros(layout.state_size(1))
     state[st.REFERENCE] = reference
-    base = st.axle_base(0)
+    base = layout.axle_base(0)
     state[base + st.DIAMETER] = 1.0
     state[base + st.SPEED] = state[base + st.SPEED_LAG] = speed
     return state, base
 
 
 def read(state, base, speed, pressure=0.0, n=1):
-    measured = np.zeros((1, ctl.N_MEASURED))
-    measured[0, ctl.CYLINDER_PRESSURE] = pressure
+    state[base + st.PRESSURE] = pressure
     for _ in range(n):
-        measured[0, ctl.WHEEL_SPEED] = speed() if callable(speed) else speed
-        read_wheel(P, state, base, measured, 0, DT)
+        state[base + st.READING] = speed() if callable(speed) else speed
+        read_wheel(P, state, base, False, state[st.REFERENCE] > P.dead_reference, DT)
 
 
 def test_acceleration_of_a_steady_ramp():

@@ -1,0 +1,73 @@
+"""What the axles measure, and what they are commanded, between the tables and the state.
+
+The tables have a row an axle; in the state the axles stand side by side, which makes the loops over
+them packed arithmetic.
+"""
+
+from __future__ import annotations
+
+from railgrip.control.contract import (
+    ALARM,
+    BRAKED,
+    CYLINDER_PRESSURE,
+    DUMP_VALVE,
+    DYNAMIC_FORCE,
+    DYNAMIC_SHARE,
+    IS_SLIDING,
+    MOTORED,
+    REFERENCE_SPEED,
+    SANDING,
+    WHEEL_SPEED,
+    FloatArray,
+)
+from railgrip.control.conventional_state import (
+    ALARM_NOW,
+    DYNAMIC,
+    DYNAMIC_PERMITTED,
+    IS_BRAKED,
+    IS_MOTORED,
+    PRESSURE,
+    READING,
+    REFERENCE,
+    SANDS,
+    SLIDES,
+    VALVE,
+)
+from railgrip.control.state_layout import axle_base
+
+
+def take_setup(axle_setup: FloatArray, state: FloatArray) -> None:
+    """Put into the state which axles have a brake, which a motor."""
+    for axle in range(axle_setup.shape[0]):
+        base = axle_base(axle)
+        state[base + IS_BRAKED] = axle_setup[axle, BRAKED]
+        state[base + IS_MOTORED] = axle_setup[axle, MOTORED]
+
+
+def take_measured(state: FloatArray, measured: FloatArray) -> None:
+    """Put into the state what the sensors say."""
+    for axle in range(measured.shape[0]):
+        base = axle_base(axle)
+        state[base + READING] = measured[axle, WHEEL_SPEED]
+        state[base + PRESSURE] = measured[axle, CYLINDER_PRESSURE]
+        state[base + DYNAMIC] = measured[axle, DYNAMIC_FORCE]
+
+
+def take_command(state: FloatArray, command: FloatArray) -> None:
+    """Put into the state what has been commanded since the last step."""
+    for axle in range(command.shape[0]):
+        base = axle_base(axle)
+        state[base + VALVE] = command[axle, DUMP_VALVE]
+        state[base + DYNAMIC_PERMITTED] = command[axle, DYNAMIC_SHARE]
+
+
+def give_command(state: FloatArray, command: FloatArray) -> None:
+    """Write the command of every axle out of the state."""
+    for axle in range(command.shape[0]):
+        base = axle_base(axle)
+        command[axle, DUMP_VALVE] = state[base + VALVE]
+        command[axle, DYNAMIC_SHARE] = state[base + DYNAMIC_PERMITTED]
+        command[axle, SANDING] = state[base + SANDS]
+        command[axle, IS_SLIDING] = state[base + SLIDES]
+        command[axle, ALARM] = state[base + ALARM_NOW]
+        command[axle, REFERENCE_SPEED] = state[REFERENCE]
