@@ -124,7 +124,7 @@ class BrakeControl:
 
     Examples
     --------
-    >>> from railgrip.control.limit_rules import (LimitRule, rule_numbers)
+    >>> from railgrip.control.limit_rules import LimitRule, rule_numbers
     >>> setup = np.zeros((1, t.N_SETUP))
     >>> setup[0, [t.FULL_PRESSURE, t.FULL_FORCE, t.CLAMP_PER_PRESSURE]] = 3e5, 8.1e3, 0.3
     >>> setup[0, [t.CLAMP_PER_BLOCK, t.NOMINAL_TREAD, t.BRAKED]] = 1, 0.3, 1

@@ -65,7 +65,7 @@ def estimate_deceleration(
     Wheels that slide and lose 5 m/s² at 3 bar: the rail gives less than the brakes take.
 
     >>> import numpy as np
-    >>> from railgrip.control.conventional_parameters import (ConventionalParameters)
+    >>> from railgrip.control.conventional_parameters import ConventionalParameters
     >>> state = np.zeros(12)
     >>> state[PRESSURE_GAIN] = 4e-6
     >>> estimate_deceleration(ConventionalParameters(), state, 3e5, -5.0)

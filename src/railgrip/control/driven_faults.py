@@ -85,8 +85,9 @@ def drive_as_neighbours(
     Examples
     --------
     >>> import numpy as np
-    >>> from railgrip.control.contract import (N_COMMAND, N_SETUP)
-    >>>     >>> setup, state = np.ones((2, N_SETUP)), np.zeros(state_size(2))
+    >>> from railgrip.control.contract import N_COMMAND, N_SETUP
+    >>> from railgrip.control.state_layout import state_size
+    >>> setup, state = np.ones((2, N_SETUP)), np.zeros(state_size(2))
     >>> state[axle_base(1) + IS_FAULTY] = 1.0
     >>> command = np.zeros((2, N_COMMAND))
     >>> command[0, DYNAMIC_SHARE] = 0.4

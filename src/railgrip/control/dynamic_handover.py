@@ -43,8 +43,9 @@ def hand_over(
     Examples
     --------
     >>> import numpy as np
-    >>> from railgrip.control.conventional_parameters import (ConventionalParameters)
-    >>>     >>> state = np.zeros(state_size(1))
+    >>> from railgrip.control.conventional_parameters import ConventionalParameters
+    >>> from railgrip.control.state_layout import state_size
+    >>> state = np.zeros(state_size(1))
     >>> round(hand_over(ConventionalParameters(), state, 48, True, 8e3, 1.0, 0.03), 2)
     0.9
     """

@@ -57,8 +57,9 @@ def follow_neighbours(
     Of four axles the second is not believed, its neighbour in the bogie vents:
 
     >>> import numpy as np
-    >>> from railgrip.control.contract import (N_COMMAND, N_MEASURED, N_SETUP)
-    >>>     >>> setup, state = np.ones((4, N_SETUP)), np.zeros(state_size(4))
+    >>> from railgrip.control.contract import N_COMMAND, N_MEASURED, N_SETUP
+    >>> from railgrip.control.state_layout import state_size
+    >>> setup, state = np.ones((4, N_SETUP)), np.zeros(state_size(4))
     >>> setup[:, BOGIE] = [0, 0, 1, 1]
     >>> state[axle_base(1) + IS_FAULTY] = 1.0
     >>> command = np.zeros((4, N_COMMAND))

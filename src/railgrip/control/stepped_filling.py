@@ -28,8 +28,9 @@ def step_filling(
     Examples
     --------
     >>> import numpy as np
-    >>> from railgrip.control.conventional_parameters import (ConventionalParameters)
-    >>>     >>> state = np.zeros(state_size(1))
+    >>> from railgrip.control.conventional_parameters import ConventionalParameters
+    >>> from railgrip.control.state_layout import state_size
+    >>> state = np.zeros(state_size(1))
     >>> valves = [step_filling(ConventionalParameters(), state, 48, FILL, 0.01) for _ in range(28)]
     >>> valves.count(FILL), valves.count(HOLD)
     (8, 20)

@@ -24,7 +24,7 @@ def limit_factor(parameters: FloatArray, time: float, emergency: float) -> float
     --------
     A limit that is halved after 5 s, by hand or by plan:
 
-    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> from railgrip.control.temperature_parameters import TemperatureParameters
     >>> halved = TemperatureParameters(course_1=5.0, factor_1=0.5)
     >>> limit_factor(halved, 4.0, 0.0), limit_factor(halved, 6.0, 0.0)
     (1.0, 0.5)

@@ -43,7 +43,7 @@ def admissible_power(
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> from railgrip.control.temperature_parameters import TemperatureOnly
     >>> one = TemperatureOnly(rise_wheel=200.0, rise_rail=0.0, set_point=1.0)
     >>> round(admissible_power(one, 0.503, 67.46, 20.0, 20.0, 1.0))
     29391
@@ -65,7 +65,7 @@ def signed_slip(parameters: TemperatureOnly, wheel: float, train: float) -> floa
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> from railgrip.control.temperature_parameters import TemperatureOnly
     >>> signed_slip(TemperatureOnly(), 18.0, 20.0)
     -0.1
     """
@@ -80,7 +80,7 @@ def friction_speed(
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> from railgrip.control.temperature_parameters import TemperatureOnly
     >>> friction_speed(TemperatureOnly(), 30e3, -6e3, 130e3)
     5.0
     """
@@ -97,7 +97,7 @@ def slip_target(
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> from railgrip.control.temperature_parameters import TemperatureOnly
     >>> slip_target(TemperatureOnly(), 2.0, 20.0, 0.25, -1.0)
     -0.1
     """
@@ -147,7 +147,7 @@ def force_target(
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import (TemperatureParameters)
+    >>> from railgrip.control.temperature_parameters import TemperatureOnly
     >>> settled = TemperatureOnly(gain_speed=1.0)
     >>> round(force_target(settled, -0.1, -0.1, -6e3, -0.5, 1000.0, 15e3, 1.0, -15e3, 20.0))
     -6450
