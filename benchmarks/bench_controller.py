@@ -1,8 +1,9 @@
 """What one call of each registered controller costs, for each axle of the four-car train.
 
-Compiled, as the kernel calls it; through the Python object, as `railgrip check` and any plain
-controller do. The signals are those of a slide: half the axles at 80 % of the train's speed. Beside
-the compiled calls stands the plant: an axle-tick of a batch on random rail less its control call.
+Compiled, as the kernel calls it, with the signals of a slide (half the axles at 80 % of the train's
+speed); through the Python object, as `railgrip check` and any plain controller do; and in a batch
+on random rail, by letting the controller step twice. The last is dearer than the first: signals
+there are less regular, and the plant has used the caches in between.
 
     python benchmarks/bench_controller.py [--quick] [--out FILE]
 """
@@ -16,12 +17,14 @@ import numpy as np
 from _common import best_of, options, report
 
 import railgrip as rg
-from railgrip.compiler import entry
+from railgrip.compiler import entry, inlined
 from railgrip.control import contract as ctl
+from railgrip.control.plain_form import KernelController
 from railgrip.core import registry
 from railgrip.engine.controllers import compiled, plain_step
 
 AXLES = 16
+SCENARIO = rg.load("random_rail")
 
 
 @entry
@@ -63,27 +66,72 @@ def call_costs(controller: Any, calls: int, plain_calls: int) -> tuple[float, fl
     return best_of(5, lambda: fast(calls)).cpu / calls, best_of(3, slow).cpu / plain_calls
 
 
+def twice(controller: Any) -> Any:
+    """Return a controller that steps two times, the second time on a state of its own.
+
+    Its commands are those of the first step: a batch runs the same course, and takes longer by
+    what a step costs there, with real signals and with caches that the plant has used.
+    """
+    kernel, initial = inlined(controller.kernel), inlined(controller.initial)
+    size, said = controller.state_size(AXLES), ctl.N_COMMAND
+
+    def step(parameters, setup, state, measured, command, dt):  # type: ignore[no-untyped-def]
+        n_axles = measured.shape[0]
+        unheard = state[2 * size :].reshape((said, n_axles)).T
+        kernel(parameters, setup, state[0:size], measured, command, dt)
+        kernel(parameters, setup, state[size : 2 * size], measured, unheard, dt)
+
+    def begin(parameters, setup, state, measured):  # type: ignore[no-untyped-def]
+        initial(parameters, setup, state[0:size], measured)
+        initial(parameters, setup, state[size : 2 * size], measured)
+        for axle in range(measured.shape[0]):
+            unheard = state[2 * size :].reshape((said, measured.shape[0]))
+            unheard[ctl.DYNAMIC_SHARE, axle] = 1.0
+            unheard[ctl.FRICTION_SHARE, axle] = 1.0
+
+    class Twice(KernelController):
+        pass
+
+    Twice.kernel, Twice.initial = staticmethod(step), staticmethod(begin)
+    Twice.state_size = staticmethod(lambda n_axles: 2 * size + said * n_axles)
+    return Twice(controller.parameters, controller.period)
+
+
 def batch_cost(controller: Any, runs: int) -> float:
     """Return the seconds of one axle-tick of a batch."""
-    scenario = rg.load("random_rail")
-    rg.simulate(scenario, runs=16, controller=controller)
-    done = best_of(3, lambda: rg.simulate(scenario, runs=runs, controller=controller))
-    ticks = AXLES * float(done.result.data["stopping_time"].sum()) / scenario.run.step
+    done = best_of(1, lambda: rg.simulate(SCENARIO, runs=runs, controller=controller))
+    ticks = AXLES * float(done.result.data["stopping_time"].sum()) / SCENARIO.run.step
     return done.cpu / ticks
+
+
+def cost_in_batch(controller: Any, runs: int, rounds: int) -> tuple[float, float]:
+    """Return the seconds of a step for one axle in a batch, and of the plant's axle-tick.
+
+    Both batches in turn, the best of each: others may use the machine.
+    """
+    doubled = twice(controller)
+    for one in (controller, doubled):
+        rg.simulate(SCENARIO, runs=16, controller=one)
+    pairs = [(batch_cost(controller, runs), batch_cost(doubled, runs)) for _ in range(rounds)]
+    once = min(pair[0] for pair in pairs)
+    step = min(pair[1] for pair in pairs) - once
+    return step, once - step
 
 
 def main() -> None:
     chosen = options(__doc__)
-    calls, plain_calls, runs = (20_000, 500, 32) if chosen.quick else (200_000, 5_000, 512)
+    calls, plain_calls, runs, rounds = 200_000, 5_000, 256, 9
+    if chosen.quick:
+        calls, plain_calls, runs, rounds = 20_000, 500, 32, 2
     rows = []
     for name in registry.names("railgrip.controllers"):
         controller = registry.resolve("railgrip.controllers", name)()
         quick, plain = call_costs(controller, calls, plain_calls)
-        axle = quick / AXLES
-        plant = batch_cost(controller, runs) - axle
+        step, plant = cost_in_batch(controller, runs, rounds)
         rows += [
-            (f"{name}: compiled, an axle", axle * 1e9, "ns", ""),
-            (f"{name}: over the plant's axle-tick", axle / plant * 100, "%", "goal: 15"),
+            (f"{name}: compiled, an axle", quick / AXLES * 1e9, "ns", ""),
+            (f"{name}: in the batch, an axle", step * 1e9, "ns", ""),
+            (f"{name}: over the plant's axle-tick", step / plant * 100, "%", "goal: 15"),
             (f"{name}: compiled, the train", quick * 1e6, "µs", "goal: 2"),
             (f"{name}: plain Python, the train", plain * 1e6, "µs", ""),
         ]

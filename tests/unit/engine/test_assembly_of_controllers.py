@@ -1,0 +1,54 @@
+"""The controllers' passes over the axles are packed arithmetic: an edit could lose that in silence.
+
+What is counted are packed comparisons: a pass that branches has none.
+"""
+
+from __future__ import annotations
+
+import platform
+import re
+
+import pytest
+from numba import types
+
+from railgrip.compiler import numba, with_compiled_callees
+from railgrip.control.adaptive_forces import weigh_axles
+from railgrip.control.axle_protection import protect_axles
+from railgrip.control.conventional_wsp import ConventionalWSP
+from railgrip.control.temperature_axle import brake_axles
+from railgrip.engine.plug_ins import CONTROLLER_KERNEL, FLAT, TABLE
+
+pytestmark = pytest.mark.skipif(
+    platform.machine().lower() not in ("x86_64", "amd64"),
+    reason="instruction names of x86 are looked for",
+)
+
+NUMBER, COUNT = types.float64, types.int64
+PASSES = {
+    "look at the wheels and protect": (ConventionalWSP.kernel, CONTROLLER_KERNEL),
+    "protect": (protect_axles, types.void(FLAT, FLAT, TABLE, NUMBER)),
+    "weigh": (weigh_axles, types.void(FLAT, FLAT, COUNT, NUMBER)),
+    "temperature": (brake_axles, types.void(FLAT, FLAT, TABLE, NUMBER, NUMBER)),
+}
+LEAST = {"look at the wheels and protect": 40, "protect": 24, "weigh": 6, "temperature": 22}
+"""Packed comparisons of each: about two thirds of what there are."""
+
+
+def packed_comparisons(function: object, signature: object) -> int:
+    made = numba.cfunc(signature, error_model="numpy", _nrt=False)
+    asm = made(with_compiled_callees(function))._library.get_asm_str()
+    return len(re.findall(r"^\s+v?cmp\w*pd\s", asm, re.MULTILINE))
+
+
+@pytest.mark.parametrize("name", PASSES)
+def test_a_pass_over_the_axles_compares_several_at_a_time(name: str) -> None:
+    assert packed_comparisons(*PASSES[name]) >= LEAST[name]
+
+
+def test_a_loop_that_is_left_early_has_none() -> None:
+    def branching(state: object, n_axles: int) -> None:
+        for axle in range(n_axles):
+            if state[axle] > 0.0:  # type: ignore[index]
+                return
+
+    assert packed_comparisons(branching, types.void(FLAT, COUNT)) == 0
