@@ -15,7 +15,7 @@ from typing import Final
 
 GROUP: Final = 16
 """Axles that stand side by side: the distance between two fields of one axle."""
-MOST_GROUPS: Final = 256
+MOST_GROUPS: Final = 100_000
 """More than any train has."""
 
 # The train: the ordinary protection first (`conventional_state`).
