@@ -6,23 +6,25 @@ import json
 import math
 import os
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.scenario.explain import problems_of
+from railgrip.scenario.journey_supervision import JourneySupervision
 from railgrip.scenario.supervision import SupervisionCase
 
+Case = TypeVar("Case", SupervisionCase, JourneySupervision)
 NEEDED = ("speed", "ebcl", "k_dry_low", "a_brake_emergency", "build_up_time")
 
 
-def with_factors(case: SupervisionCase, path: str | os.PathLike[str]) -> SupervisionCase:
-    """Return a supervision case with the brake that a safety case has shown.
+def with_factors(case: Case, path: str | os.PathLike[str]) -> Case:
+    """Return a supervision with the brake that a safety case has shown.
 
     Parameters
     ----------
-    case : SupervisionCase
+    case : SupervisionCase or JourneySupervision
         A gamma train; its emergency deceleration, build-up time, Kdry and Kwet are replaced.
     path : path
         ``factors.json`` of `railgrip campaign safety`.
@@ -65,9 +67,9 @@ def with_factors(case: SupervisionCase, path: str | os.PathLike[str]) -> Supervi
         "kwet": steps(levels[0], "k_wet_low") if _is_number(rows[0].get("k_wet_low")) else [],
     }
     try:
-        return SupervisionCase.model_validate({**case.model_dump(by_alias=True), "train": train})
+        return type(case).model_validate({**case.model_dump(by_alias=True), "train": train})
     except ValidationError as error:
-        raise RailgripError(problems_of(error, SupervisionCase)) from None
+        raise RailgripError(problems_of(error, type(case))) from None
 
 
 def _rows(path: Path) -> list[dict[str, Any]]:

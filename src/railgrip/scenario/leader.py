@@ -7,6 +7,7 @@ from typing import Annotated
 from pydantic import Field
 
 from railgrip.scenario.base import Model
+from railgrip.scenario.coasting import Coasting
 from railgrip.scenario.line import LineStop
 from railgrip.scenario.point_train import PointTrain
 from railgrip.scenario.reference import Reference
@@ -14,7 +15,7 @@ from railgrip.scenario.units import Acceleration, Length, Speed, Time
 
 
 class Leader(Model):
-    """A leading train, driven flat out. All defaults illustrative."""
+    """A leading train, driven flat out or with coasting. All defaults illustrative."""
 
     train: Annotated[PointTrain, Reference("point_train")] = Field(
         description="A shipped name, a file or a table."
@@ -27,6 +28,9 @@ class Leader(Model):
     )
     braking: Acceleration | None = Field(
         default=None, gt=0, le=5, description="Of its braking curves; absent: its own."
+    )
+    coasting: Coasting | None = Field(
+        default=None, description="Coasting-initiation of its own; absent: none."
     )
     headway: Time = Field(
         default=120.0, ge=0, le=1e5, description="So long before the train behind it sets off."

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -15,6 +15,7 @@ from railgrip.engine.journey import kernel
 from railgrip.engine.journey.forces import train_arrays
 from railgrip.engine.journey.profile import Sections, ceiling
 from railgrip.engine.journey.steps import SCRATCH
+from railgrip.engine.journey.supervision import Onboard
 from railgrip.engine.plug_ins import first_class
 from railgrip.scenario.journey import Journey
 
@@ -37,6 +38,8 @@ class Leg(NamedTuple):
     """Whether the train stands at its end."""
     ceiling: tuple[Array, ...] = ()
     """Highest square of speed by pieces, as `railgrip.engine.journey.profile.ceiling` gives it."""
+    authority: float = np.inf
+    """Where the authority behind another train ends, m."""
 
 
 class DrivingLaw(NamedTuple):
@@ -64,6 +67,25 @@ FLAT_OUT = DrivingLaw(full_power, lambda leg: (np.zeros(1), np.zeros(0)))
 """Full power to the permitted speed, then to the braking curve."""
 
 
+class Intervention(NamedTuple):
+    """A stretch on which the supervision braked.
+
+    Parameters
+    ----------
+    brake : str
+        ``service``, ``emergency``, or ``service, emergency`` where the first was not enough.
+    begin, end : (float, float, float)
+        Time [s], position [m], speed [m/s] where it began and ended.
+    target : float
+        Position of the target that it protected, or nan for a speed limit, [m].
+    """
+
+    brake: str
+    begin: tuple[float, float, float]
+    end: tuple[float, float, float]
+    target: float
+
+
 @dataclass(frozen=True)
 class JourneyRun:
     """What became of a journey.
@@ -82,6 +104,10 @@ class JourneyRun:
         ``dc_link`` and ``pantograph`` net, with the auxiliaries.
     switchings : int
         Changes between traction and none.
+    told : list of (int, Leg)
+        What the driving law was told, each with the first row of the trace for which it held.
+    interventions : list of Intervention
+        Where the supervision braked.
     """
 
     journey: Journey
@@ -89,6 +115,8 @@ class JourneyRun:
     running_times: Array
     energy: dict[str, float]
     switchings: int
+    told: list[tuple[int, Leg]] = field(default_factory=list)
+    interventions: list[Intervention] = field(default_factory=list)
 
     @property
     def running_time(self) -> float:
@@ -123,17 +151,18 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
     >>> round(run.running_time, 1)
     393.4
     """
+    if journey.supervision is not None and journey.supervision.mode == "intervene":
+        from railgrip.engine.journey.intervening import drive_supervised  # it drives by this module
+
+        return drive_supervised(journey, law)
     deceleration = braking_of(journey)
     train, sections = train_arrays(journey.train), Sections(journey)
     called = first_class(law.demand, kernel.LAW)
     totals, traces, times = np.zeros(kernel.TOTALS), [], []
-    clock = 0.0
+    clock, told, row = 0.0, list[tuple[int, Leg]](), 0
     speed = journey.passing_speed
     for leg, there in zip(legs(journey), journey.stops()[1:], strict=True):
-        if speed**2 > leg.ceiling[1][0] * (1 + 1e-9):
-            raise RailgripError(
-                Problem("passing_speed", "is above what is permitted there", got=f"{speed:g} m/s")
-            )
+        check_passing(speed, leg.ceiling)
         parameters, state = law.setup(leg)
         rows = np.zeros((rows_for(leg.ceiling, sections, journey), kernel.COLUMNS))
         end = np.zeros(4)
@@ -145,11 +174,20 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
         check_end(status, end, deceleration)
         part = rows[: int(end[0])]
         part[:, kernel.TIME] += clock
+        told.append((row, leg))
+        row += len(part)
         traces.append(part)
         times.append(end[1])
         clock += end[1] + there.dwell
         speed = 0.0
-    return run_of(journey, np.concatenate(traces), np.array(times), totals)
+    return run_of(journey, np.concatenate(traces), np.array(times), totals, told)
+
+
+def check_passing(speed: float, lid: tuple[Array, ...]) -> None:
+    """Refuse a speed at a leg's beginning that is not permitted there."""
+    if speed**2 > lid[1][0] * (1 + 1e-6):
+        what = "is above what is permitted there, or what the authority leaves"
+        raise RailgripError(Problem("passing_speed", what, got=f"{speed:g} m/s"))
 
 
 def braking_of(journey: Journey) -> float:
@@ -164,10 +202,16 @@ def braking_of(journey: Journey) -> float:
 def legs(journey: Journey) -> list[Leg]:
     """Return what a driving law is told of each leg."""
     deceleration, stops = braking_of(journey), journey.stops()
-    found = []
+    found, onboard = [], None
+    if journey.supervision is not None and journey.supervision.mode == "drive":
+        onboard = Onboard(journey)
     for k, (here, there) in enumerate(pairwise(stops)):
         final = journey.passing_speed if k == len(stops) - 2 else 0.0
-        lid = ceiling(journey, here.at, there.at, final, deceleration)
+        if onboard is None:
+            lid = ceiling(journey, here.at, there.at, final, deceleration)
+        else:
+            way = onboard.way(np.inf, there.at, final == 0.0)
+            lid = onboard.ceiling(way, here.at, there.at, final)
         found.append(leg_of(lid, deceleration, final == 0.0))
     return found
 
@@ -221,7 +265,9 @@ def check_end(status: int, end: Array, deceleration: float) -> None:
         )
 
 
-def run_of(journey: Journey, rows: Array, times: Array, totals: Array) -> JourneyRun:
+def run_of(
+    journey: Journey, rows: Array, times: Array, totals: Array, told: list[tuple[int, Leg]]
+) -> JourneyRun:
     """Return the run that rows of the trace, running times and totals of its legs make."""
     names = ("time", "position", "speed", "traction", "motor_brake", "friction", "permitted")
     chain, net = journey.train.efficiency, journey.train.regeneration.receptivity
@@ -240,4 +286,5 @@ def run_of(journey: Journey, rows: Array, times: Array, totals: Array) -> Journe
         times,
         energy,
         int(totals[kernel.SWITCHINGS]),
+        told,
     )
