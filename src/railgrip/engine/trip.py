@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
 from railgrip.engine.journey.coasting import FLAT_OUT_NUMBERS, coasting_of
-from railgrip.engine.journey.drive import JourneyRun, Leg, drive, legs
+from railgrip.engine.journey.drive import JourneyRun, drive
+from railgrip.engine.journey.legs import Leg, legs
 from railgrip.engine.journey.of_scenario import journey_of, trip_of
 from railgrip.engine.lower_train import lower_train
 from railgrip.engine.plan import DriverPlan

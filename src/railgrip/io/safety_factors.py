@@ -49,27 +49,31 @@ def with_factors(case: Case, path: str | os.PathLike[str]) -> Case:
                 str(path), f"EBCL {wanted} is not resolved", cure="more runs of the safety case"
             )
         )
-    speeds = sorted({row["speed"] for row in rows})
-    begins = dict(zip(speeds, [0.0, *speeds[:-1]], strict=True))
     levels = [level for level in sorted({row["ebcl"] for row in rows}) if level not in open_levels]
-
-    def steps(level: int, name: str) -> list[dict[str, float]]:
-        return [
-            {"from": begins[row["speed"]], "value": row[name]}
-            for row in sorted(rows, key=lambda row: float(row["speed"]))
-            if row["ebcl"] == level
-        ]
-
+    has_wet = _is_number(rows[0].get("k_wet_low"))
     train = case.train.model_dump(by_alias=True) | {
-        "emergency": steps(levels[0], "a_brake_emergency"),
+        "emergency": _steps(rows, levels[0], "a_brake_emergency"),
         "emergency_time": max(row["build_up_time"] for row in rows),
-        "kdry": [{"confidence_level": n, "steps": steps(n, "k_dry_low")} for n in levels],
-        "kwet": steps(levels[0], "k_wet_low") if _is_number(rows[0].get("k_wet_low")) else [],
+        "kdry": [{"confidence_level": n, "steps": _steps(rows, n, "k_dry_low")} for n in levels],
+        "kwet": _steps(rows, levels[0], "k_wet_low")
+        if _is_number(rows[0].get("k_wet_low"))
+        else [],
     }
     try:
         return type(case).model_validate({**case.model_dump(by_alias=True), "train": train})
     except ValidationError as error:
         raise RailgripError(problems_of(error, type(case))) from None
+
+
+def _steps(rows: list[dict[str, Any]], level: int, name: str) -> list[dict[str, float]]:
+    """Return a column as steps over the speed."""
+    speeds = sorted({row["speed"] for row in rows})
+    begins = dict(zip(speeds, [0.0, *speeds[:-1]], strict=True))
+    return [
+        {"from": begins[row["speed"]], "value": row[name]}
+        for row in sorted(rows, key=lambda row: float(row["speed"]))
+        if row["ebcl"] == level
+    ]
 
 
 def _rows(path: Path) -> list[dict[str, Any]]:

@@ -47,7 +47,7 @@ class LimitTable(NamedTuple):
         """
         left = self.target.position - np.atleast_1d(np.asarray(position, dtype=float))
         rows = np.array([np.interp(left, row, self.speed) for row in self.distance])
-        rows = np.maximum(rows, self.floor[:, None])
+        rows = np.asarray(np.maximum(rows, self.floor[:, None]))
         behind = left <= 0.0
         rows[:, behind] = 0.0 if self.target.is_end_of_authority else np.inf
         return rows

@@ -133,6 +133,15 @@ def follow(
     return marched(journey, law, authority)
 
 
+def driven_run(
+    journey: Journey, law: DrivingLaw = FLAT_OUT, authority: Authority | None = None
+) -> JourneyRun:
+    """Drive a journey behind its leading train, or alone if it has none."""
+    if journey.leader is None and authority is None:
+        return drive(journey, law)
+    return follow(journey, law, authority)
+
+
 def _rising(front: Array, moments: Array) -> tuple[Array, Array]:
     """Return positions that rise, each with the last moment at which the front was there."""
     last = np.append(np.diff(front) > 0.0, True)

@@ -11,7 +11,8 @@ from scipy.optimize import brentq
 from railgrip.control.etcs.limit_table import EBI, SBI
 from railgrip.control.etcs.supervised_way import SupervisedWay, excess
 from railgrip.engine.journey import kernel
-from railgrip.engine.journey.drive import DrivingLaw, Intervention, JourneyRun, Leg
+from railgrip.engine.journey.drive import DrivingLaw, Intervention, JourneyRun
+from railgrip.engine.journey.legs import Leg
 from railgrip.engine.journey.marching import Authority, March, Part
 from railgrip.engine.journey.profile import ceiling
 from railgrip.engine.journey.supervised_braking import Moment, SupervisedBraking
@@ -128,7 +129,7 @@ class _SupervisedMarch(March):
         self.traces.append(rows)
         self.clock, self.place, self.speed = end
         at = math.nan if decisive is None else decisive.target.position
-        self.interventions.append(Intervention(brake, tuple(begin), tuple(end), at))
+        self.interventions.append(Intervention(brake, begin, end, at))
         self.heeded = None if decisive is None else SupervisedWay(way.limits, (decisive,))
 
 

@@ -13,15 +13,13 @@ from railgrip.engine.journey import kernel
 from railgrip.engine.journey.drive import (
     DrivingLaw,
     JourneyRun,
-    Leg,
-    braking_of,
     check_end,
     check_passing,
-    leg_of,
     rows_for,
     run_of,
 )
 from railgrip.engine.journey.forces import train_arrays
+from railgrip.engine.journey.legs import Leg, braking_of, leg_of
 from railgrip.engine.journey.profile import Sections, ceiling
 from railgrip.engine.journey.steps import SCRATCH
 from railgrip.engine.journey.supervision import Onboard

@@ -15,8 +15,8 @@ from railgrip.control.etcs.limit_table import EBI, LimitTable
 from railgrip.control.etcs.supervised_way import SupervisedWay
 from railgrip.core.constants import GRAVITY
 from railgrip.engine.journey import kernel
-from railgrip.engine.journey.drive import Leg
 from railgrip.engine.journey.forces import resistance, speed_of
+from railgrip.engine.journey.legs import Leg
 from railgrip.engine.journey.steps import SCRATCH, book
 
 if TYPE_CHECKING:
@@ -189,7 +189,7 @@ class SupervisedBraking:
         """Book the work of a step, and return its row of the trace."""
         train, out = self.march.train, np.zeros(SCRATCH)
         middle = _later(now, rate, 0.5 * seconds)
-        row = []
+        row: list[float] = []
         for one, weight in ((now, 1.0), (middle, 4.0), (_later(now, rate, seconds), 1.0)):
             slope, drag = self._line(one.place)
             force = train.dynamic_mass * rate + resistance(train, slope, drag, one.speed)
