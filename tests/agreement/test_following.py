@@ -74,6 +74,29 @@ def test_the_march_from_renewal_to_renewal_is_the_exact_run(authority, law):
     assert places == pytest.approx([change.position for change in exact.changes], abs=0.02)
 
 
+@pytest.mark.parametrize("law", [FLAT_OUT, CUT], ids=["flat out", "coasting"])
+def test_behind_a_steady_authority_it_is_the_exact_run(authority, law):
+    """The braking curve moves with the leader: time to 10 ms, work to 1e-5, places to 2 cm."""
+    own = CoastingLaw(CoastingParameters(BRAKING, coasting_deceleration=OWN, hysteresis=BAND))
+    steady = authority._replace(period=0.0)
+    exact = Driver(
+        FAST, own, constant(140 / 3.6), WAY, authority=steady, with_coasting=law is CUT
+    ).run(spacing=1.0)
+    run = follow(JOURNEY, law, Authority(steady))
+    print(run.switchings, exact.switchings, run.running_time, exact.changes[-1].time)
+    print(run.energy, exact.energy, exact.brake_work)
+    for c in exact.changes:
+        print(c)
+    assert run.switchings == exact.switchings
+    assert run.running_time == pytest.approx(exact.changes[-1].time, abs=0.01)
+    assert run.energy["traction"] == pytest.approx(exact.energy, rel=1e-5)
+    assert run.energy["friction"] == pytest.approx(exact.brake_work, rel=1e-5)
+    places = np.interp(
+        [change.time for change in exact.changes], run.trace["time"], run.trace["position"]
+    )
+    assert places == pytest.approx([change.position for change in exact.changes], abs=0.02)
+
+
 def test_coasting_behind_a_slow_train_saves_energy(authority):
     flat_out, coasting = (follow(JOURNEY, law, Authority(authority)) for law in (FLAT_OUT, CUT))
     assert coasting.energy["traction"] < 0.3 * flat_out.energy["traction"]

@@ -55,9 +55,7 @@ def with_factors(case: Case, path: str | os.PathLike[str]) -> Case:
         "emergency": _steps(rows, levels[0], "a_brake_emergency"),
         "emergency_time": max(row["build_up_time"] for row in rows),
         "kdry": [{"confidence_level": n, "steps": _steps(rows, n, "k_dry_low")} for n in levels],
-        "kwet": _steps(rows, levels[0], "k_wet_low")
-        if _is_number(rows[0].get("k_wet_low"))
-        else [],
+        "kwet": _steps(rows, levels[0], "k_wet_low") if has_wet else [],
     }
     try:
         return type(case).model_validate({**case.model_dump(by_alias=True), "train": train})

@@ -62,7 +62,9 @@ class Journey(Model):
 
     @model_validator(mode="after")
     def _fits_together(self) -> Journey:
-        refuse([*self._limits(), *self._stops(), *self._times(), *self._curve(), *self._length()])
+        refuse(
+            [*self._limits(), *self._stops(), *self._times(), *self._curve(), *self._supervised()]
+        )
         return self
 
     def stops(self) -> tuple[LineStop, ...]:
@@ -130,15 +132,16 @@ class Journey(Model):
             ]
         return []
 
-    def _length(self) -> list[Problem]:
-        """A supervision that takes the train for shorter than it is misses gradients."""
-        if self.supervision is None or self.supervision.train.length >= self.train.length - 0.5:
+    def _supervised(self) -> list[Problem]:
+        if self.supervision is None:
             return []
-        return [
-            Problem(
-                "supervision.train.length",
-                "is less than that of the train itself",
-                got=f"{self.supervision.train.length:g} m",
-                allowed=f"from {self.train.length:g} m",
-            )
-        ]
+        problems, length = [], self.supervision.train.length
+        if length < self.train.length - 0.5:  # it would miss gradients under the train
+            what = "is less than that of the train itself"
+            problems.append(Problem("supervision.train.length", what, got=f"{length:g} m",
+                                    allowed=f"from {self.train.length:g} m"))  # fmt: skip
+        if self.leader is not None and self.leader.renewal == 0.0:
+            what = "has no steady form: an ETCS authority comes in messages"
+            problems.append(Problem("supervision", what, got="leader.renewal = 0",
+                                    cure="leader.renewal = '5 s'"))  # fmt: skip
+        return problems

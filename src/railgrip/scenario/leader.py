@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from railgrip.scenario.base import Model
+from railgrip.core.errors import Problem
+from railgrip.scenario.base import Model, refuse
 from railgrip.scenario.coasting import Coasting
 from railgrip.scenario.line import LineStop
 from railgrip.scenario.point_train import PointTrain
@@ -39,8 +40,18 @@ class Leader(Model):
         default=100.0, ge=0, le=1e4, description="Between the end of authority and its rear."
     )
     renewal: Time = Field(
-        default=10.0, ge=1, le=600, description="So often the authority is renewed, t_MA."
+        default=10.0,
+        ge=0,
+        le=600,
+        description="Of the authority, t_MA; 0: steadily.",
     )
     clears_after: Time = Field(
         default=60.0, ge=0, le=1e5, description="From its last stop until the track is free."
     )
+
+    @model_validator(mode="after")
+    def _is_renewed(self) -> Leader:
+        if 0.0 < self.renewal < 1.0:
+            what = "is so short that only a steady renewal makes sense"
+            refuse([Problem("renewal", what, got=f"{self.renewal:g} s", allowed="0, or from 1 s")])
+        return self

@@ -15,6 +15,7 @@ from railgrip.engine.journey.drive import DrivingLaw, Intervention, JourneyRun
 from railgrip.engine.journey.legs import Leg
 from railgrip.engine.journey.marching import Authority, March, Part
 from railgrip.engine.journey.profile import ceiling
+from railgrip.engine.journey.pursuing import Pursuit
 from railgrip.engine.journey.supervised_braking import Moment, SupervisedBraking
 from railgrip.scenario.journey import Journey
 
@@ -26,6 +27,8 @@ EXCESS = 1e-9
 
 def marched(journey: Journey, law: DrivingLaw, authority: Authority) -> JourneyRun:
     """Drive a journey in parts: behind a leading train, with a supervision that brakes, or both."""
+    if authority.record is not None and authority.record.period == 0.0:
+        return Pursuit(journey, law, authority).run()
     if journey.supervision is None or journey.supervision.mode != "intervene":
         return March(journey, law, authority).run()
     return drive_supervised(journey, law, authority)

@@ -110,9 +110,8 @@ class March:
         self.totals[kernel.SWITCHINGS] = float(np.count_nonzero(np.diff(pulls)))
         return run_of(self.journey, rows, np.array(times), self.totals, self.told)
 
-    def leg(self, stop: float, final: float) -> None:
+    def leg(self, stop: float, final: float, *, is_first: bool = True) -> None:
         """Drive to the next stop."""
-        is_first = True
         while True:
             renewal = self.authority.next_renewal(self.clock)
             known = self.authority.end(self.clock)
