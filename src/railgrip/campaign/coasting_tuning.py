@@ -89,6 +89,9 @@ def tune_coasting(
     >>> found.run.running_time <= 420.1, 0.5 < found.share <= 1.001
     (True, True)
     """
+    if journey.leader is not None and journey.leader.renewal == 0.0:
+        what = "is steady, and each of some thousand journeys behind it takes a second"
+        raise RailgripError(Problem("leader.renewal", what, cure="renewal = '5 s' while tuning"))
     # the leading train is driven once
     authority = authority_of(journey) if journey.leader is not None else None
     flat_out = driven_run(journey, FLAT_OUT, authority)

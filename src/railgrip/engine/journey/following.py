@@ -30,7 +30,7 @@ def leading(journey: Journey) -> JourneyRun:
             train=leader.train, line=journey.line, stop=leader.stop or journey.stops(),
             passing_speed=leader.passing_speed, braking=leader.braking,
             gradient_under=journey.gradient_under, curve_resistance=journey.curve_resistance,
-            coasting=leader.coasting,
+            coasting=leader.coasting, step=journey.step,
         )  # fmt: skip
         return drive(ahead) if leader.coasting is None else drive(ahead, coasting_of(ahead))
     except ValidationError as error:

@@ -25,6 +25,8 @@ LONGEST = 0.5
 AT = 1e-9
 """A square of speed counts as on the moving curve within so much of itself."""
 HALVINGS = 40
+STANDS = 1e-3
+"""A train so slow right before the end of authority stands, m/s."""
 ROUNDING = 1e-8
 """A square of speed that has left the curve by so much of itself at the end of a step is on it."""
 
@@ -64,7 +66,8 @@ class Pursuit(March):
         lid = ceiling(self.journey, self.place, stop, final, self.deceleration)
         self.state = self.law.setup(self._told(lid, stop, final))[1]
         while self.authority.end(self.clock) < stop:
-            if self._ahead(self.clock) < WORTH_MOVING and self.speed <= 1e-6:
+            if self._ahead(self.clock) < WORTH_MOVING and self.speed < STANDS:
+                self.speed = 0.0
                 self.clock += self._wait()
                 continue
             told = self._told(lid, stop, final)
@@ -203,6 +206,7 @@ def _from(lid: Lid, place: float) -> Lid:
 def _under(lid: Lid, place: float, square: float, slope: float) -> Lid:
     """Return a ceiling below a line through its first place, for as long as the line is lower."""
     position, squares, slopes = lid
+    square = min(square, float(squares[0]))  # rounding where both meet
     end = position[-1] if slope >= 0.0 else min(position[-1], place - square / slope)
     rows = [(place, square, slope)]
     for k in range(slopes.size):
