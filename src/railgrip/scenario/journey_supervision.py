@@ -23,6 +23,10 @@ from railgrip.scenario.supervision_values import FAST, Area, NationalValues
 from railgrip.scenario.units import Length, Speed
 
 
+LEAST = 1.0
+"""Between a stop and the end of authority without a release speed, m."""
+
+
 class JourneySupervision(Model):
     """The supervision above a journey. Places and release speed: defaults illustrative."""
 
@@ -58,10 +62,11 @@ class JourneySupervision(Model):
             *turned_areas(self.reduced_adhesion),
             *missing_level(self.train, self.national),
         ]
-        if self.mode == "drive" and self.past_stop == 0.0 and self.release_speed == 0.0:
-            what = "at the stop itself the permitted speed falls so slowly that no train arrives"
+        if self.mode != "report" and self.past_stop < LEAST and self.release_speed == 0.0:
+            what = "so near the stop the permitted speed falls so slowly that no train arrives"
             problems.append(
-                Problem("past_stop", what, got="0 m, and no release_speed",
+                Problem("past_stop", what, got=f"{self.past_stop:g} m, and no release_speed",
+                        allowed=f"from {LEAST:g} m",
                         cure="past_stop = '50 m', or release_speed = '20 km/h'")
             )  # fmt: skip
         refuse(problems)

@@ -94,7 +94,13 @@ class _SupervisedMarch(March):
         """Return the driver's own ceiling; after an intervention the permitted speed counts."""
         assert self.onboard is not None
         aim = final if end == stop else 0.0
-        if self.heeded is None or self.heeded.tables[0].target.position <= self.place:
+        if self.heeded is not None:
+            target = self.heeded.tables[0].target
+            end_now = min(known, stop + self.onboard.own.past_stop)
+            is_renewed = target.is_end_of_authority and target.position < end_now
+            if is_renewed or target.position <= self.place:
+                self.heeded = None
+        if self.heeded is None:
             return ceiling(self.journey, self.place, end, aim, self.deceleration)
         return self.onboard.ceiling(self.heeded, self.place, end, aim)
 
@@ -109,7 +115,7 @@ class _SupervisedMarch(March):
             if part.status == kernel.TIME_IS_UP:
                 self.clock = self.authority.next_renewal(self.clock - kernel.IN_TIME * 2)
                 return True
-            self.place, self.speed = end, part.speed
+            self.place = end if abs(end - part.place) < 1e-6 else part.place
             return False
         if passed > self.clock:
             self.accept(self.part(told, parameters, passed - self.clock))

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from railgrip.control.coasting.moving_authority import MovingAuthority
+from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.journey import kernel
 from railgrip.engine.journey.drive import (
     DrivingLaw,
@@ -119,9 +120,12 @@ class March:
             if end - self.place < WORTH_MOVING:
                 if end == stop:
                     return
-                self.clock = renewal
+                self.clock = self._waited(renewal)
                 continue
             lid = self.ceiling(known, end, stop, final)
+            if lid[1][0] <= 0.0:
+                self.clock = self._waited(renewal)
+                continue
             if is_first:
                 check_passing(self.speed, lid)
             # the law knows its next stop, and all targets up to the end of authority
@@ -140,6 +144,12 @@ class March:
             if end == stop:
                 return
 
+    def _waited(self, renewal: float) -> float:
+        if math.isinf(renewal):
+            what = "the train may not go on, and nothing more is announced"
+            raise RailgripError(Problem("", what, got=f"a stand at {self.place:.1f} m"))
+        return renewal
+
     def ceiling(
         self, known: float, end: float, stop: float, final: float
     ) -> tuple[Array, Array, Array]:
@@ -157,7 +167,7 @@ class March:
         if part.status == kernel.TIME_IS_UP:
             self.clock = self.authority.next_renewal(self.clock - kernel.IN_TIME * 2)
             return True
-        self.place, self.speed = end, part.speed
+        self.place = end if abs(end - part.place) < 1e-6 else part.place
         return False
 
     def part(self, told: Leg, parameters: Array, until: float) -> Part:

@@ -68,11 +68,13 @@ class Onboard:
         """Return the highest square of speed below the permitted speed and the braking curves.
 
         As `railgrip.engine.journey.profile.ceiling` does; the permitted speed is kept to by
-        5 mm/s.
+        5 mm/s, and where that leaves nothing, centimetres before an end of authority, it ends.
         """
         deceleration = self.journey.deceleration()
         assert deceleration is not None
-        return braked(self._pieces(way, begin, end), final_speed, deceleration)
+        lid = braked(self._pieces(way, begin, end), final_speed, deceleration)
+        count = max(int(np.flatnonzero(lid[1] > 0.0).max(initial=-1)) + 1, 1)
+        return lid[0][: count + 1], lid[1][:count], lid[2][:count]
 
     def kept(self, way: SupervisedWay, place: float) -> float:
         """Return the speed that a train kept below the permitted speed has at most at a place."""
