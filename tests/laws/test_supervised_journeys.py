@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from railgrip.control.etcs.ceiling import ceiling_margin
-from railgrip.control.etcs.limit_table import EBI, INDICATION, PERMITTED, SBI
+from railgrip.control.etcs.limit_table import EBI, INDICATION, PERMITTED
 from railgrip.control.etcs.supervised_way import excess
 from railgrip.core.errors import RailgripError
 from railgrip.engine.journey.coasting import coasting_of
@@ -83,6 +83,7 @@ def balance(run: JourneyRun) -> float:
     return abs(left) / e["traction"]
 
 
+QUICK = (Phase.explicit, Phase.generate)
 hills = st.lists(st.floats(-0.02, 0.02), min_size=1, max_size=8).map(tuple)
 
 
@@ -105,7 +106,7 @@ def test_driving_below_the_permitted_speed_costs_time() -> None:
     assert over(drive(coasting, coasting_of(coasting)))[PERMITTED].max() <= 1e-6
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15, deadline=None, phases=QUICK)
 @given(
     hills, st.floats(0.7, 1.0), st.booleans(), st.floats(0.0, 5.0), st.floats(1.0, 60.0),
     st.booleans(),

@@ -22,7 +22,6 @@ from railgrip.scenario.supervised_train import SupervisedTrain
 from railgrip.scenario.supervision_values import FAST, Area, NationalValues
 from railgrip.scenario.units import Length, Speed
 
-
 LEAST = 1.0
 """Between a stop and the end of authority without a release speed, m."""
 

@@ -71,8 +71,8 @@ def drive_supervised(
     ...                supervision={"mode": "intervene", "train": train})
     >>> from railgrip.engine.journey.drive import FLAT_OUT
     >>> run = drive_supervised(late, FLAT_OUT)
-    >>> [(one.brake, round(3.6 * one.end[2])) for one in run.interventions]
-    []
+    >>> [(one.brake, round(one.target), round(one.begin[1])) for one in run.interventions]
+    [('service', 8550, 7410), ('service', 13760, 12620), ('service', 48581, 47441)]
     """
     march = _SupervisedMarch(journey, law, authority or Authority())
     run = march.run()

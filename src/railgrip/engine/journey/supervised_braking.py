@@ -14,7 +14,6 @@ from railgrip.control.etcs.intervention_times import MOST_ACCELERATION, times_of
 from railgrip.control.etcs.limit_table import EBI, LimitTable
 from railgrip.control.etcs.supervised_way import SupervisedWay
 from railgrip.core.constants import GRAVITY
-from railgrip.engine.journey import kernel
 from railgrip.engine.journey.forces import resistance, speed_of
 from railgrip.engine.journey.legs import Leg
 from railgrip.engine.journey.steps import SCRATCH, book
@@ -97,9 +96,10 @@ class SupervisedBraking:
             self.follows = self.follows and now.speed >= self._own(now.place)[0] - NEAR_CURVE
             flags = self._flags(now)
             self.follows = flags[1]
-            if flags[0] and "emergency" not in self.begun:
+            if flags[0]:
                 self.begun["emergency"] = now.time
-            if now.speed <= NEAR or (flags[2] and "emergency" not in self.begun):
+                continue
+            if now.speed <= NEAR or flags[2]:
                 break
             rate = self._acceleration(now, flags[1])
             seconds = self._until_change(now, rate)
@@ -107,15 +107,19 @@ class SupervisedBraking:
                 seconds = self._located(now, rate, seconds, flags)
             rows.append(self._booked(now, rate, seconds))
             now = _later(now, rate, seconds)
-        return now, np.array(rows).reshape(-1, kernel.COLUMNS), ", ".join(self.begun)
+        rows.append([*now, 0.0, 0.0, 0.0, self._own(now.place)[0]])
+        return now, np.array(rows), ", ".join(self.begun)
 
     def _flags(self, now: Moment) -> tuple[bool, bool, bool]:
         """Say whether EBI is passed, the driver's own curve met, and all is in order again."""
-        way = self.way_at(now.time)
         own = self._own(now.place)[0]
+        is_at_own = not self.is_assumed and (self.follows or now.speed >= own)
+        if "emergency" in self.begun:
+            return False, is_at_own, False
+        way = self.way_at(now.time)
         kept = min(self.onboard.kept(way, now.place), own + NEAR_CURVE if own > 0.0 else 0.0)
         is_past = now.speed > way.speeds(now.place)[EBI, 0] + EXCESS
-        return is_past, self.follows or now.speed >= own, now.speed <= kept
+        return is_past, is_at_own, now.speed <= kept
 
     def _own(self, place: float) -> tuple[float, float]:
         """Return speed and slope (an acceleration) of the driver's own ceiling; past it, 0."""

@@ -128,9 +128,9 @@ def watched(
     >>> names = ("time", "position", "speed")
     >>> found = watched(run.journey, *(run.trace[name] for name in names), run.told)
     >>> [(one.status, round(one.position)) for one in found.log]
-    [('normal', 0), ('indication', 8790)]
+    [('normal', 0), ('indication', 9165), ('normal', 9967)]
     >>> found.approaches[0].margin.round()
-    array([-367.,  133.,  189.,  245.,  243.])
+    array([-38.,  24.,  38.,  47.,  47.])
     """
     onboard = Onboard(journey)
     firsts = [first for first, _ in told] + [time.size]
