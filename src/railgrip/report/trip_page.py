@@ -36,9 +36,9 @@ def figures(run: TripRun) -> list[tuple[str, float, str, str]]:
     ):  # fmt: skip
         joules = run.total(name)
         values.append((name, joules, words, f"{joules / 3.6e6:.2f} kWh"))
-    air = run.total("air_used")
+    air, sand = run.total("air_used"), sum(leg.sand for leg in run.legs)
     values += [
-        ("sand", _sand(run), "sand laid", f"{_sand(run):.1f} kg"),
+        ("sand", sand, "sand laid", f"{sand:.1f} kg"),
         ("air_used", air, "air used", f"{air * 1e3:.0f} Nl"),
         ("longest_lock", worst, "longest lock above 30 km/h", f"{worst:.2f} s"),
     ]
@@ -96,16 +96,6 @@ def slip_speeds(data: Any) -> tuple[Array, Array, Array]:
     speed = data["train_speed"].values[0]
     over = data["wheel_speed"].values[0] - speed
     return data["train_position"].values[0], over.min(axis=0), over.max(axis=0)
-
-
-def _sand(run: TripRun) -> float:
-    """Return the sand laid by all legs, kg."""
-    total = 0.0
-    for leg in run.legs:
-        sand = leg.run.data["rail_sand"]
-        cell = float(np.diff(sand["cell"].values[:2])[0])
-        total += float(np.nansum(sand.values)) * cell
-    return total
 
 
 def _figure(height: float) -> Any:
