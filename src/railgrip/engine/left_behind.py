@@ -108,7 +108,7 @@ def cooled(disc: DiscHeat, ring: float, hub: float, stand: float) -> tuple[float
     --------
     >>> disc = DiscHeat(65.0, 55.0, 450.0, 2.0, 0.9, 9.0, 3.0, 0.7, 20.0)
     >>> [round(x, 1) for x in cooled(disc, 200.0, 40.0, 60.0)]
-    [118.7, 99.5]
+    [134.2, 112.2]
     """
     if stand <= 0.0 or disc.ring_mass <= 0.0 or disc.hub_mass <= 0.0:
         return ring, hub
