@@ -19,6 +19,7 @@ from railgrip.control.etcs.limit_table import LIMITS
 from railgrip.engine.journey.coasting import Indicated, coasting_of, indicators
 from railgrip.engine.journey.drive import Intervention, JourneyRun
 from railgrip.engine.journey.following import driven_run
+from railgrip.engine.journey.legs import legs
 from railgrip.engine.journey.watching import Watched, watched
 from railgrip.scenario.journey import Journey
 
@@ -187,5 +188,9 @@ def _best(journey: Journey, best: OptimalRun) -> Way:
         "auxiliaries": train.auxiliaries * float(best.time[-1]),
         "pantograph": best.energy,
     }
+    said = None
+    if journey.supervision is not None:
+        told = [(int(np.searchsorted(best.position, leg.begin)), leg) for leg in legs(journey)]
+        said = watched(journey, best.time, best.position, best.speed, told)
     return Way("optimum", best.position, best.speed, best.running_times, energy,
-               int(np.count_nonzero(np.diff(pulls))), 1.0, [])  # fmt: skip
+               int(np.count_nonzero(np.diff(pulls))), 1.0, [], said)  # fmt: skip

@@ -50,8 +50,10 @@ def log_rows(watched: Any) -> list[list[str]]:
 def draw_supervised(axes: tuple[Any, Any], way: Any) -> None:
     """Draw the limits and the run: over the whole way, and where it came nearest to a brake."""
     for one in axes:
-        for name, row in zip(LIMITS, way.watched.limits, strict=True):
+        top = 1.02 * float(np.nanmax(way.watched.limits[EBI]))
+        for name, limit in zip(LIMITS, way.watched.limits, strict=True):
             colour, style, _ = LINES[name]
+            row = np.where(limit < top, limit, np.nan)
             one.plot(way.watched.position / 1e3, 3.6 * row, color=colour, ls=style, lw=1.1,
                      label=WORDS[name])  # fmt: skip
         one.plot(way.position / 1e3, 3.6 * way.speed, color="k", lw=1.6, label=way.name)
@@ -74,7 +76,10 @@ def draw_supervised(axes: tuple[Any, Any], way: Any) -> None:
     near = (way.watched.position > nearest.target - far) & (
         way.watched.position < nearest.target + 0.12 * far
     )
-    axes[1].set_ylim(0.0, 1.05 * 3.6 * float(np.nanmax(way.watched.limits[EBI, near])))
+    axes[1].set_ylim(
+        0.6 * 3.6 * nearest.target_speed,
+        1.05 * 3.6 * float(np.nanmax(way.watched.limits[EBI, near])),
+    )
     words = "end of authority" if nearest.target_speed == 0.0 else "lower limit"
     axes[1].set_title(f"Nearest to the emergency brake: {words} at {nearest.target / 1e3:.3f} km",
                       fontsize="medium")  # fmt: skip
@@ -82,7 +87,7 @@ def draw_supervised(axes: tuple[Any, Any], way: Any) -> None:
 
 def _approach_rows(watched: Any) -> list[list[str]]:
     head = ["target", "to, km/h", "indicated before, m",
-            *(f"to {WORDS[name]}" for name in LIMITS[1:])]  # fmt: skip
+            "to permitted", "to warning", "to SBI", "to EBI"]  # fmt: skip
     rows = []
     for one in watched.approaches:
         margins = [f"{x:+.1f}" for x in one.margin[1:]]
