@@ -86,12 +86,12 @@ def draw_supervised(axes: tuple[Any, Any], way: Any) -> None:
 
 
 def _approach_rows(watched: Any) -> list[list[str]]:
-    head = ["target", "to, km/h", "indicated before, m",
+    head = ["target", "to, km/h", "indicated, m",
             "to permitted", "to warning", "to SBI", "to EBI"]  # fmt: skip
     rows = []
     for one in watched.approaches:
         margins = [f"{x:+.1f}" for x in one.margin[1:]]
-        place = "train ahead" if one.kind == "train ahead" else f"{one.target / 1e3:.3f} km"
+        place = "train ahead" if one.kind == "train ahead" else _km(one.target)
         rows.append([place, f"{3.6 * one.target_speed:.0f}", f"{one.passed[0]:.0f}", *margins])
     return [head, *rows]
 
@@ -104,3 +104,7 @@ def _braked_rows(way: Any) -> list[list[str]]:
          "speed limit" if np.isnan(one.target) else f"target at {one.target / 1e3:.3f} km"]
         for one in way.interventions
     ]  # fmt: skip
+
+
+def _km(position: float) -> str:
+    return f"{position / 1e3:.3f}\N{NO-BREAK SPACE}km"
