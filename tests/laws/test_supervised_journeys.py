@@ -162,6 +162,21 @@ def test_a_late_driver_is_braked_and_stops() -> None:
     assert "emergency brake" not in statuses
 
 
+@pytest.mark.parametrize("rail", ["dry", "assumed"])
+def test_every_leg_has_its_own_end_of_authority(rail: str) -> None:
+    one = journey("intervene", brake={"service_brake_interface": True}, rail=rail)
+    stops = ({"at": 0.0}, {"at": 3000.0, "dwell": 60.0}, {"at": 9000.0})
+    three = Journey.model_validate(one.model_dump(by_alias=True) | {"stop": stops})
+    run = drive(three)
+    assert [one.target for one in run.interventions] == [3050.0, 4000.0, 9050.0]
+    assert run.running_times.size == 2
+    stands = run.trace["position"][run.trace["speed"] < 1e-6]
+    assert ((stands > 2900.0) & (stands <= 3050.0)).any()
+    assert run.trace["position"][-1] <= 9050.0
+    assert balance(run) < 2e-5
+    assert {one.target for one in said(run).approaches} >= {3050.0, 9050.0}
+
+
 def test_without_a_service_brake_interface_the_train_is_stopped() -> None:
     """The emergency brake to a stand, then on to the restriction and the stop."""
     run = drive(journey("intervene"))

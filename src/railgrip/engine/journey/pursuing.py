@@ -75,12 +75,12 @@ class Pursuit(March):
             now = self._decided(self.clock, self.place, self.speed, told)
             seconds = self._longest(now)
             part = self._step(lid, now, seconds)
-            if not self._goes_on(part, now, seconds, lid, stop, final):
+            if not self._goes_on(part, now, lid, stop, final):
                 low, high = 0.0, seconds
                 for _ in range(HALVINGS):
                     seconds = 0.5 * (low + high)
                     part = self._step(lid, now, seconds)
-                    if self._goes_on(part, now, seconds, lid, stop, final):
+                    if self._goes_on(part, now, lid, stop, final):
                         low = seconds
                     else:
                         high = seconds
@@ -169,9 +169,7 @@ class Pursuit(March):
         self.state = kept
         return part
 
-    def _goes_on(
-        self, part: Part, now: _Now, seconds: float, lid: Lid, stop: float, final: float
-    ) -> bool:
+    def _goes_on(self, part: Part, now: _Now, lid: Lid, stop: float, final: float) -> bool:
         """Say whether at the end of a step the same is demanded."""
         time = self.clock + part.time
         told = self._told_at(self.authority.end(time), lid, stop, final)
