@@ -179,7 +179,7 @@ def test_indicators_behind_a_leader_are_those_of_the_exact_run(plain_leader):
 def test_tuning_behind_a_leader_gives_what_the_exact_run_gives(plain_leader):
     journey = led()
     late = 1.03 * follow(journey).running_time
-    found = tune_coasting(journey, late, rounds=2)
+    found = tune_coasting(journey, late, rounds=1)
     exact = exact_follower(found.journey, plain_leader)
     assert found.run.running_time == pytest.approx(exact.changes[-1].time, rel=1e-4)
     assert found.run.energy["traction"] == pytest.approx(exact.energy, rel=1e-3)
