@@ -19,8 +19,9 @@ from railgrip.engine.journey.coasting import (
     coasting_of,
     indicators,
 )
-from railgrip.engine.journey.drive import Leg, drive
+from railgrip.engine.journey.drive import drive
 from railgrip.engine.journey.forces import HOLD
+from railgrip.engine.journey.legs import Leg
 from railgrip.laboratory.coasting_run import Driver
 from railgrip.laboratory.point_train import PointTrain
 from railgrip.scenario.journey import Journey

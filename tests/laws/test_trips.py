@@ -9,7 +9,11 @@ import pytest
 
 import railgrip as rg
 from railgrip.core.errors import RailgripError
+from railgrip.core.formulas.two_node_heat import DiscHeat, film_coefficient, two_node_heat_rates
+from railgrip.engine import layout as at
 from railgrip.engine.journey.of_scenario import journey_of
+from railgrip.engine.left_behind import DISC
+from railgrip.engine.lower_train import lower_train
 from railgrip.engine.trip import TripRun, drive_trip
 
 STOPS = [{"at": 0}, {"at": "4 km"}, {"at": "9 km"}]
@@ -69,6 +73,45 @@ def test_leaves_cost_time_and_the_stop(dry: TripRun) -> None:
     assert hasty.delay > 0.0
     assert hasty.legs[0].past_stop > 100.0
     assert gentle.legs[0].past_stop < 0.2 * hasty.legs[0].past_stop
+
+
+def test_discs_stay_warm_and_cool_at_the_stop(dry: TripRun) -> None:
+    """Ring and hub go on from the leg before by the two-node balance, here by small steps."""
+    first, second = dry.legs
+    table, _ = lower_train(dry.scenario)
+    names = at.AXLE_PARAMETERS.split()
+    both = [[leg.run.data[name].values[0] for name in ("disc_temperature", "hub_temperature")]
+            for leg in (first, second)]  # fmt: skip
+    axle = int(both[0][0][:, -1].argmax())  # most are braked by their motors
+    disc = DiscHeat(*(float(table[1 + axle, names.index(name)]) for name in DISC))
+    ring, hub = (float(one[axle, -1]) for one in both[0])
+    assert ring > hub > 20.0
+    assert ring > 25.0
+    early = max(first.planned - first.time, 0.0)
+    still = film_coefficient(disc.film_still, disc.film_wind, 0.0)
+    for _ in range(round(100 * (dry.journey.stops()[1].dwell + early))):
+        rates = two_node_heat_rates(disc, ring, hub, 0.0, still)
+        ring, hub = ring + 0.01 * rates[0], hub + 0.01 * rates[1]
+    begun = [float(one[axle, 0]) for one in both[1]]
+    assert begun == pytest.approx([ring, hub], abs=0.3)
+
+
+def test_the_next_leg_starts_on_the_rail_that_the_last_one_cleaned() -> None:
+    """Under the train the wheels' energy is there still; before its front nothing is."""
+    leaves = {"rail.condition": "leaves", "wsp.controller": "conventional_traction"}
+    first, second = drive_trip(scenario(braking=0.3).with_(leaves)).legs
+
+    def energy(leg: Any, places: Any) -> Any:
+        rail = leg.run.data["rail_energy"]
+        return np.interp(places, rail["cell"].values, rail.values[0])
+
+    under = np.arange(3950.0, 3995.0)
+    assert energy(first, under).min() > 0.0
+    assert (energy(second, under) >= energy(first, under) - 1e-6).all()
+    rear = 4000.0 - scenario().train.length
+    behind = np.arange(rear, rear + 2.0, 0.5)  # under the train, behind its last axle
+    assert energy(second, behind) == pytest.approx(energy(first, behind), rel=1e-6)
+    assert second.sand >= 0.0
 
 
 def test_a_trip_is_the_same_bit_for_bit(dry: TripRun) -> None:

@@ -101,5 +101,71 @@ def test_a_follower_coasts_behind_its_leader(folder, capsys):
     )
     assert behind["coasting"]["switchings"] < behind["flat_out"]["switchings"]
     assert behind["flat_out"]["running_time"] > 1.05 * behind["optimum"]["least_time"]
-    assert execute(["drive", "b.toml", "--supplement", "0.05", "--tune"]) == 2
-    assert "--tune: is for a line that is free" in capsys.readouterr().err
+    assert [one["is_acting"] for one in behind["coasting"]["log"]].count(True) >= 2
+
+
+SUPERVISION = """
+braking = "1.1 m/s^2"
+
+[supervision]
+mode = "MODE"
+
+[supervision.train]
+length = "75 m"
+emergency = [{ value = "1 m/s^2" }]
+service = [{ value = "0.8 m/s^2" }]
+emergency_time = "2 s"
+service_time = "2.5 s"
+service_brake_interface = true
+"""
+
+
+def test_a_supervised_journey_says_where_it_was_braked(folder, capsys):
+    text = JOURNEY + SUPERVISION
+    Path("b.toml").write_text(text.replace("MODE", "intervene"), encoding="utf-8")
+    assert execute(["drive", "b.toml", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    own = told["flat_out"]["supervision"]
+    assert [one["brake"] for one in own["interventions"]] == ["service"]
+    stop = own["approaches"][-1]
+    assert stop["target"] == 8550.0
+    assert stop["margin"]["sbi"] < 0.0 < stop["margin"]["ebi"]
+    assert "service brake" in [one["status"] for one in own["log"]]
+    page = Path(told["report"]).read_text(encoding="utf-8")
+    assert "Braked by the supervision, flat out" in page
+    assert "Limits and run, optimum" in page
+    Path("b.toml").write_text(text.replace("MODE", "drive"), encoding="utf-8")
+    assert execute(["drive", "b.toml"]) == 0
+    assert "Supervision, flat out: metres left" in capsys.readouterr().out
+
+
+def test_factors_of_a_campaign_make_the_supervision_stricter(folder, capsys):
+    row = {"speed": 60.0, "ebcl": 9, "k_dry_low": 0.8, "k_wet_low": 0.7,
+           "a_brake_emergency": 1.0, "build_up_time": 2.0}  # fmt: skip
+    Path("factors.json").write_text(json.dumps({"rows": [row]}), encoding="utf-8")
+    Path("b.toml").write_text(JOURNEY + SUPERVISION.replace("MODE", "report"), encoding="utf-8")
+    found = []
+    for more in ([], ["--factors", "factors.json"]):
+        assert execute(["drive", "b.toml", "--json", *more]) == 0
+        told = json.loads(capsys.readouterr().out)
+        found.append(told["flat_out"]["supervision"]["approaches"][-1]["passed"]["indication"])
+    assert found[1] > found[0] + 50.0
+    assert execute(["drive", "a.toml", "--factors", "factors.json"]) == 2
+    assert "--factors: is for a journey under supervision" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ('"MODE"', '"brake"', "supervision.mode"),
+        ('"MODE"', '"drive"\npast_stop = 0', "supervision.past_stop: so near the stop"),
+        ('"75 m"', '"30 m"', "supervision.train.length: is less than that of the train itself"),
+        ("service_time", "service_tme", "did you mean 'service_time'?"),
+    ],
+)
+def test_a_bad_supervision_is_explained(folder, capsys, old, new, sentence):
+    text = (JOURNEY + SUPERVISION).replace(old, new).replace("MODE", "report")
+    Path("b.toml").write_text(text, encoding="utf-8")
+    assert execute(["drive", "b.toml"]) == 2
+    assert sentence in capsys.readouterr().err
+    assert not (folder / "out").exists()

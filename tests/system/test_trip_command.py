@@ -36,6 +36,29 @@ def test_a_trip_prints_its_legs_and_writes_a_page(folder, capsys):
     assert 'src="http' not in page
 
 
+def test_a_trip_under_supervision_says_how_near_it_came(folder, capsys):
+    table = """
+[trip.supervision]
+mode = "drive"
+[trip.supervision.train]
+length = "105 m"
+emergency = [{ value = "1 m/s^2" }]
+service = [{ value = "0.8 m/s^2" }]
+emergency_time = "3 s"
+service_time = "3 s"
+"""
+    Path("a.toml").write_text(SCENARIO + table, encoding="utf-8")
+    assert execute(["drive", "a.toml"]) == 0
+    told = capsys.readouterr().out
+    assert "Supervision, on the plant: metres left" in told
+    page = Path("out/a/trip.html").read_text(encoding="utf-8")
+    assert "Supervision (ETCS)" in page
+    assert page.count("<img") == 3
+    Path("a.toml").write_text(SCENARIO + table.replace("drive", "intervene"), encoding="utf-8")
+    assert execute(["drive", "a.toml"]) == 2
+    assert "trip.supervision.mode: is for journeys without slip" in capsys.readouterr().err
+
+
 def test_a_train_that_gets_nowhere_says_so_and_ends_with_one(folder, capsys):
     """Ice and a steep climb: the wheels spin, the train rolls back."""
     line = """

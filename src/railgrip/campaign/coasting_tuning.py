@@ -13,7 +13,9 @@ from scipy.optimize import differential_evolution
 from railgrip.campaign.optimum.timetable import OptimalRun, optimum
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.journey.coasting import coasting_of
-from railgrip.engine.journey.drive import JourneyRun, drive
+from railgrip.engine.journey.drive import FLAT_OUT, JourneyRun
+from railgrip.engine.journey.following import authority_of, driven_run
+from railgrip.engine.journey.marching import Authority
 from railgrip.scenario.coasting import Coasting
 from railgrip.scenario.journey import Journey
 
@@ -87,7 +89,12 @@ def tune_coasting(
     >>> found.run.running_time <= 420.1, 0.5 < found.share <= 1.001
     (True, True)
     """
-    flat_out = drive(journey)
+    if journey.leader is not None and journey.leader.renewal == 0.0:
+        what = "is steady, and each of some thousand journeys behind it takes a second"
+        raise RailgripError(Problem("leader.renewal", what, cure="renewal = '5 s' while tuning"))
+    # the leading train is driven once
+    authority = authority_of(journey) if journey.leader is not None else None
+    flat_out = driven_run(journey, FLAT_OUT, authority)
     if time < flat_out.running_time * (1.0 - 1e-6):
         raise RailgripError(
             Problem("time", "is impossible on this line with this train", got=f"{time:.1f} s",
@@ -98,7 +105,7 @@ def tune_coasting(
     whole = flat_out.energy["pantograph"]
 
     def cost(numbers: Array) -> float:
-        run = _driven(journey, _with(start, bounds, numbers))
+        run = _driven(journey, _with(start, bounds, numbers), authority)
         if run is None:
             return LATE
         late = max(0.0, run.running_time / time - 1.0)
@@ -109,7 +116,7 @@ def tune_coasting(
         tol=1e-5, polish=False, init="sobol",
     )  # fmt: skip
     tuned = journey.model_copy(update={"coasting": _with(start, bounds, found.x)})
-    run = _driven(journey, tuned.coasting)
+    run = _driven(journey, tuned.coasting, authority)
     if run is None or run.running_time > time * (1.0 + ON_TIME):
         late = "it stalls" if run is None else f"{run.running_time:.1f} s"
         raise RailgripError(
@@ -167,10 +174,12 @@ def _with(start: Coasting, bounds: list[tuple[str, float, float]], numbers: Arra
     return start.model_copy(update=changes)
 
 
-def _driven(journey: Journey, coasting: Coasting | None) -> JourneyRun | None:
+def _driven(
+    journey: Journey, coasting: Coasting | None, authority: Authority | None = None
+) -> JourneyRun | None:
     """Return the run, or None where the train is left standing."""
     own = journey.model_copy(update={"coasting": coasting})
     try:
-        return drive(own, coasting_of(own))
+        return driven_run(own, coasting_of(own), authority)
     except RailgripError:
         return None

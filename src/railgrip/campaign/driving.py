@@ -15,10 +15,12 @@ from railgrip.campaign.coasting_tuning import (
 )
 from railgrip.campaign.optimum.timetable import OptimalRun, optimum
 from railgrip.campaign.optimum.trade_off import capped_curve, optimal_curve
-from railgrip.core.errors import Problem, RailgripError
+from railgrip.control.etcs.limit_table import LIMITS
 from railgrip.engine.journey.coasting import Indicated, coasting_of, indicators
-from railgrip.engine.journey.drive import FLAT_OUT, DrivingLaw, JourneyRun, drive
-from railgrip.engine.journey.following import follow
+from railgrip.engine.journey.drive import Intervention, JourneyRun
+from railgrip.engine.journey.following import driven_run
+from railgrip.engine.journey.legs import legs
+from railgrip.engine.journey.watching import Watched, watched
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
@@ -39,6 +41,8 @@ class Way(NamedTuple):
     switchings: int
     share: float
     log: list[Indicated]
+    watched: Watched | None = None
+    interventions: tuple[Intervention, ...] = ()
 
     @property
     def running_time(self) -> float:
@@ -91,6 +95,7 @@ class Driven(NamedTuple):
                 "switchings": way.switchings,
                 "share_of_saving": None if np.isnan(way.share) else way.share,
                 "log": [one._asdict() for one in way.log],
+                **_supervised_table(way),
             }
             for way in self.ways
         }
@@ -103,8 +108,8 @@ class Driven(NamedTuple):
 def driven(journey: Journey, *, tune: bool = False, seed: int = 1) -> Driven:
     """Drive a journey flat out, with its coasting, with tuned coasting if asked, and at best.
 
-    Behind a ``leader`` all but the optimum follow it; the optimum has the line for itself, so it
-    is a bound for them too.
+    Behind a ``leader`` all but the optimum follow it, and under a ``supervision`` all but the
+    optimum obey it; the optimum has the line for itself, so it is a bound for them too.
 
     Parameters
     ----------
@@ -121,10 +126,7 @@ def driven(journey: Journey, *, tune: bool = False, seed: int = 1) -> Driven:
     >>> [way.name for way in found.ways]
     ['flat out', 'coasting', 'optimum']
     """
-    if journey.leader is not None and tune:
-        what = "is for a line that is free"
-        raise RailgripError(Problem("--tune", what, cure="a journey without [leader]"))
-    flat_out = _run(journey)
+    flat_out = driven_run(journey)
     best = optimum(journey)
     ways = [_way("flat out", flat_out, np.nan)]
     curve = optimal_curve(journey)
@@ -134,14 +136,12 @@ def driven(journey: Journey, *, tune: bool = False, seed: int = 1) -> Driven:
     }
     tuned = None
     if journey.coasting is not None:
-        run = _run(journey, coasting_of(journey))
+        run = driven_run(journey, coasting_of(journey))
         in_time = optimum(journey, max(run.running_time, flat_out.running_time))
         share = share_of_saving(run, flat_out, in_time)
+        ways.append(_way("coasting", run, share, indicators(run)))
         if journey.leader is None:
-            ways.append(_way("coasting", run, share, indicators(run)))
             curves["coasting, flatter and flatter"] = coasting_trade_off(journey)
-        else:  # what the law was told changed from renewal to renewal
-            ways.append(_way("coasting", run, share))
     if tune:
         tuned = tune_coasting(journey, max(best.running_time, flat_out.running_time), seed=seed)
         ways.append(_way("coasting, tuned", tuned.run, tuned.share, indicators(tuned.run)))
@@ -149,13 +149,32 @@ def driven(journey: Journey, *, tune: bool = False, seed: int = 1) -> Driven:
     return Driven(journey, ways, float(best.least_times.sum()), tuned, curves)
 
 
-def _run(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
-    return drive(journey, law) if journey.leader is None else follow(journey, law)
+def _supervised_table(way: Way) -> dict[str, Any]:
+    """Return what the supervision says of a way of driving, nan as None."""
+    if way.watched is None:
+        return {}
+
+    def known(value: float) -> float | None:
+        return None if np.isnan(value) else float(value)
+
+    approaches = [
+        {"target": one.target, "target_speed": one.target_speed, "kind": one.kind,
+         "passed": {n: known(x) for n, x in zip(LIMITS, one.passed, strict=True)},
+         "margin": {n: known(x) for n, x in zip(LIMITS, one.margin, strict=True)}}
+        for one in way.watched.approaches
+    ]  # fmt: skip
+    log = [{**one._asdict(), "target": known(one.target)} for one in way.watched.log]
+    braked = [{**one._asdict(), "target": known(one.target)} for one in way.interventions]
+    return {"supervision": {"log": log, "approaches": approaches, "interventions": braked}}
 
 
 def _way(name: str, run: JourneyRun, share: float, log: list[Indicated] | None = None) -> Way:
-    return Way(name, run.trace["position"], run.trace["speed"], run.running_times, run.energy,
-               run.switchings, share, log or [])  # fmt: skip
+    trace = run.trace
+    said = None
+    if run.journey.supervision is not None:
+        said = watched(run.journey, trace["time"], trace["position"], trace["speed"], run.told)
+    return Way(name, trace["position"], trace["speed"], run.running_times, run.energy,
+               run.switchings, share, log or [], said, tuple(run.interventions))  # fmt: skip
 
 
 def _best(journey: Journey, best: OptimalRun) -> Way:
@@ -169,5 +188,9 @@ def _best(journey: Journey, best: OptimalRun) -> Way:
         "auxiliaries": train.auxiliaries * float(best.time[-1]),
         "pantograph": best.energy,
     }
+    said = None
+    if journey.supervision is not None:
+        told = [(int(np.searchsorted(best.position, leg.begin)), leg) for leg in legs(journey)]
+        said = watched(journey, best.time, best.position, best.speed, told)
     return Way("optimum", best.position, best.speed, best.running_times, energy,
-               int(np.count_nonzero(np.diff(pulls))), 1.0, [])  # fmt: skip
+               int(np.count_nonzero(np.diff(pulls))), 1.0, [], said)  # fmt: skip

@@ -40,6 +40,8 @@ class Way(NamedTuple):
         From node to node; standard deviation over mean (1 or run); key.
     sand_friction, effective_sand : float
         See track.sanding.
+    earlier_energy, earlier_sand : float array (cell)
+        What an earlier run has left in the cells from 0 on, [J/m], [kg/m]; empty: fresh rail.
     """
 
     origin: float
@@ -60,6 +62,8 @@ class Way(NamedTuple):
     seed: int
     sand_friction: float
     effective_sand: float
+    earlier_energy: FloatArray = np.zeros(0)
+    earlier_sand: FloatArray = np.zeros(0)
 
 
 class Timing(NamedTuple):
@@ -189,6 +193,8 @@ class DriverPlan(NamedTuple):
         Of train and driver, by the places in `engine.driver`.
     law : float array
         Parameters of `engine.journey.coasting.coasting_demand`.
+    discs : float array (axle, 2)
+        Temperatures of friction ring and hub at the departure, [°C]; empty: the run's own.
     """
 
     every: int
@@ -198,6 +204,7 @@ class DriverPlan(NamedTuple):
     falls: FloatArray
     numbers: FloatArray
     law: FloatArray
+    discs: FloatArray = np.zeros((0, 2))
 
 
 NO_DRIVER = DriverPlan(0, np.zeros(0, dtype=np.int64), *(np.zeros(0) for _ in range(5)))

@@ -46,7 +46,10 @@ def own_row(rows: int, run: float) -> int:
 def lay_rail(
     L: int, S: Any, energy: Any, factor: Any, sand: Any, way: Any, k: int, cell: int
 ) -> None:
-    """Lay fresh rail up to `cell` in front of the train: no energy yet, no sand, its own factor."""
+    """Lay rail up to `cell` in front of the train, as an earlier run left it or fresh.
+
+    Fresh rail has no energy yet, no sand, and a factor of its own.
+    """
     mask = energy.shape[0] // L - 1
     front = int(S[at.RAIL_FRONT * L + k])
     field = S[at.FIELD * L + k]
@@ -57,6 +60,9 @@ def lay_rail(
         slot = (front & mask) * L + k
         energy[slot] = 0.0
         sand[slot] = 0.0
+        if 0 <= front < way.earlier_energy.shape[0]:
+            energy[slot] = way.earlier_energy[front]
+            sand[slot] = way.earlier_sand[front]
         if way.is_random == 1:
             for node in range(way.nodes_per_cell):
                 place = way.first_node + front * way.nodes_per_cell + node

@@ -43,6 +43,8 @@ def begin_run(L: int, S: Any, memory: Any, plan: Any, overrides: Any, k: int, ru
         memory.reservoirs[vehicle * L + k] = plan.formation.reservoir_pressure[vehicle]
     if plan.driver.every > 0:
         S[at.DRIVE_DEMAND * L + k] = 1.0  # it stands, and is about to move
+    for axle in range(plan.driver.discs.shape[0]):
+        _begin_warm(L, S, plan.driver.discs, k, axle)
     _begin_control(L, S, memory, n_axles, k)
 
 
@@ -100,6 +102,15 @@ def _begin_axle(L: int, S: Any, plan: Any, k: int, axle: int) -> None:
     for i in range(at.MAX_DELAY):
         S[b + (at.SPEED_HISTORY + i) * L] = believed
         S[b + (at.VALVE_HISTORY + i) * L] = ctl.FILL
+
+
+@compiled
+def _begin_warm(L: int, S: Any, discs: Any, k: int, axle: int) -> None:
+    """Let an axle's disc be as warm as the leg before left it."""
+    b = (1 + axle) * at.N_VARS * L + k
+    S[b + at.RING_TEMPERATURE * L] = S[b + at.RING_MIDDLE * L] = discs[axle, 0]
+    S[b + at.HUB_TEMPERATURE * L] = S[b + at.HUB_MIDDLE * L] = discs[axle, 1]
+    S[b + at.GREATEST_TEMPERATURE * L] = S[b + at.SENSED_TEMPERATURE * L] = discs[axle, 0]
 
 
 @compiled

@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
 from railgrip.engine.journey.coasting import FLAT_OUT_NUMBERS, coasting_of
-from railgrip.engine.journey.drive import JourneyRun, Leg, drive, legs
+from railgrip.engine.journey.drive import JourneyRun, drive
+from railgrip.engine.journey.legs import Leg, legs
 from railgrip.engine.journey.of_scenario import journey_of, trip_of
+from railgrip.engine.left_behind import Left, what_is_left
 from railgrip.engine.lower_train import lower_train
 from railgrip.engine.plan import DriverPlan
 from railgrip.engine.result import Result
@@ -48,6 +50,8 @@ class TripLeg(NamedTuple):
         Timetable, s.
     past_stop : float
         Where the front came to stand, beyond the stop, m; negative: short of it.
+    sand : float
+        Laid in this leg, kg.
     """
 
     begin: float
@@ -56,6 +60,7 @@ class TripLeg(NamedTuple):
     time: float
     planned: float
     past_stop: float
+    sand: float
 
 
 class TripRun(NamedTuple):
@@ -95,7 +100,8 @@ def drive_trip(scenario: Scenario) -> TripRun:
     Returns
     -------
     run : TripRun
-        One run of the engine for each leg. Discs are cold and rail is fresh at each departure.
+        One run of the engine for each leg. Discs and the rail under the train are as the leg
+        before left them; the discs have cooled at the stop.
 
     Raises
     ------
@@ -122,16 +128,22 @@ def drive_trip(scenario: Scenario) -> TripRun:
     law = coasting_of(journey) if trip.coasting is not None else None
     fast = drive(journey, law) if law is not None else drive(journey)
     table, _ = lower_train(scenario)
-    found = []
-    for k, (leg, dry) in enumerate(zip(legs(journey), fast.running_times, strict=True)):
+    found, left, late = list[TripLeg](), None, 0.0
+    ways = zip(legs(journey), fast.running_times, journey.stops()[1:], strict=True)
+    for k, (leg, dry, stop) in enumerate(ways):
         numbers = law.setup(leg)[0] if law is not None else FLAT_OUT_NUMBERS
-        found.append(_drive_leg(scenario, journey.train, table, leg, k, numbers, float(dry)))
+        done = _drive_leg(scenario, journey.train, table, leg, k, numbers, float(dry), left)
+        found.append(done)
+        late += done.time - done.planned
+        stand = stop.dwell + max(-late, 0.0) if np.isfinite(late) else stop.dwell
+        late = max(late, 0.0)
+        left = what_is_left(done.run, table, stand)
     return TripRun(scenario, journey, fast, found)
 
 
 def _drive_leg(
     scenario: Scenario, train: PointTrain, table: Array, leg: Leg, number: int, law: Array,
-    dry: float,
+    dry: float, left: Left | None,
 ) -> TripLeg:  # fmt: skip
     prepared = prepare(_leg_scenario(scenario, leg.begin, dry, number))
     driver = _driver(scenario, train, table, leg, law)
@@ -140,7 +152,10 @@ def _drive_leg(
         demand_tick=np.zeros(0, dtype=np.int64), demand_level=np.zeros(0),
         demand_emergency=np.zeros(0), first_brake_tick=0,  # time counts from the departure
     )  # fmt: skip
-    prepared = prepared._replace(plan=prepared.plan._replace(driver=driver, timing=timing))
+    way = prepared.plan.way
+    if left is not None:
+        way, driver = left.lay(way), driver._replace(discs=left.discs)
+    prepared = prepared._replace(plan=prepared.plan._replace(driver=driver, timing=timing, way=way))
     run = run_prepared(prepared, overrides(prepared, {}, 1), True)
     ended = run.status == RunStatus.STOPPED
     return TripLeg(
@@ -150,7 +165,15 @@ def _drive_leg(
         time=float(run.data["stopping_time"][0]) if ended else np.inf,
         planned=dry * (1.0 + trip_of(scenario).supplement),
         past_stop=float(run.data["covered_distance"][0]) + leg.begin - leg.end,
+        sand=_sand(run) - float(way.earlier_sand.sum()) * way.cell_length,
     )
+
+
+def _sand(run: Result) -> float:
+    """Return the sand on the rail, kg."""
+    laid = run.data["rail_sand"]
+    cells = laid["cell"].values
+    return float(np.nansum(laid.values)) * float(cells[1] - cells[0])
 
 
 def _driver(
@@ -190,8 +213,12 @@ def _leg_scenario(scenario: Scenario, start: float, dry: float, number: int) -> 
             "seed": scenario.run.seed + number,
         }
     )
+    rail, field = scenario.rail, scenario.rail.random
+    if field is not None and field.seed is None:  # the line's, whatever the leg
+        own = field.model_copy(update={"seed": scenario.run.seed})
+        rail = rail.model_copy(update={"random": own})
     route = scenario.line.model_copy(update={"use": longer, "start": start})
-    return scenario.model_copy(update={"run": run, "line": route, "trip": None})
+    return scenario.model_copy(update={"run": run, "line": route, "rail": rail, "trip": None})
 
 
 def _foresight(scenario: Scenario, delays: Array) -> float:

@@ -6,23 +6,25 @@ import json
 import math
 import os
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.scenario.explain import problems_of
+from railgrip.scenario.journey_supervision import JourneySupervision
 from railgrip.scenario.supervision import SupervisionCase
 
+Case = TypeVar("Case", SupervisionCase, JourneySupervision)
 NEEDED = ("speed", "ebcl", "k_dry_low", "a_brake_emergency", "build_up_time")
 
 
-def with_factors(case: SupervisionCase, path: str | os.PathLike[str]) -> SupervisionCase:
-    """Return a supervision case with the brake that a safety case has shown.
+def with_factors(case: Case, path: str | os.PathLike[str]) -> Case:
+    """Return a supervision with the brake that a safety case has shown.
 
     Parameters
     ----------
-    case : SupervisionCase
+    case : SupervisionCase or JourneySupervision
         A gamma train; its emergency deceleration, build-up time, Kdry and Kwet are replaced.
     path : path
         ``factors.json`` of `railgrip campaign safety`.
@@ -47,27 +49,29 @@ def with_factors(case: SupervisionCase, path: str | os.PathLike[str]) -> Supervi
                 str(path), f"EBCL {wanted} is not resolved", cure="more runs of the safety case"
             )
         )
-    speeds = sorted({row["speed"] for row in rows})
-    begins = dict(zip(speeds, [0.0, *speeds[:-1]], strict=True))
     levels = [level for level in sorted({row["ebcl"] for row in rows}) if level not in open_levels]
-
-    def steps(level: int, name: str) -> list[dict[str, float]]:
-        return [
-            {"from": begins[row["speed"]], "value": row[name]}
-            for row in sorted(rows, key=lambda row: float(row["speed"]))
-            if row["ebcl"] == level
-        ]
-
+    has_wet = _is_number(rows[0].get("k_wet_low"))
     train = case.train.model_dump(by_alias=True) | {
-        "emergency": steps(levels[0], "a_brake_emergency"),
+        "emergency": _steps(rows, levels[0], "a_brake_emergency"),
         "emergency_time": max(row["build_up_time"] for row in rows),
-        "kdry": [{"confidence_level": n, "steps": steps(n, "k_dry_low")} for n in levels],
-        "kwet": steps(levels[0], "k_wet_low") if _is_number(rows[0].get("k_wet_low")) else [],
+        "kdry": [{"confidence_level": n, "steps": _steps(rows, n, "k_dry_low")} for n in levels],
+        "kwet": _steps(rows, levels[0], "k_wet_low") if has_wet else [],
     }
     try:
-        return SupervisionCase.model_validate({**case.model_dump(by_alias=True), "train": train})
+        return type(case).model_validate({**case.model_dump(by_alias=True), "train": train})
     except ValidationError as error:
-        raise RailgripError(problems_of(error, SupervisionCase)) from None
+        raise RailgripError(problems_of(error, type(case))) from None
+
+
+def _steps(rows: list[dict[str, Any]], level: int, name: str) -> list[dict[str, float]]:
+    """Return a column as steps over the speed."""
+    speeds = sorted({row["speed"] for row in rows})
+    begins = dict(zip(speeds, [0.0, *speeds[:-1]], strict=True))
+    return [
+        {"from": begins[row["speed"]], "value": row[name]}
+        for row in sorted(rows, key=lambda row: float(row["speed"]))
+        if row["ebcl"] == level
+    ]
 
 
 def _rows(path: Path) -> list[dict[str, Any]]:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from railgrip.engine.journey.coasting import coasting_curve
 from railgrip.report.plots.journey import draw_speeds, draw_trade_off
 from railgrip.report.static_page import heading, picture, static_page, table
+from railgrip.report.supervised_journey import draw_supervised, log_rows, supervision_tables
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
@@ -65,10 +66,41 @@ def page(found: Any) -> str:
             table(["from – to, s", *times], leg_rows(journey, times)),
             "<h2>Energy, kWh</h2>",
             table(["", *times], energy_rows(found)),
+            *_supervised(found),
             *_tuned(found),
             *(_log(way) for way in ways if way.log),
         ],
     )
+
+
+def _supervised(found: Any) -> list[str]:
+    tables = supervision_tables(found)
+    if not tables:
+        return []
+    mode = found.journey.supervision.mode
+    told = {"report": "It watches and does not act.",
+            "drive": "All but the optimum are driven below the permitted speed.",
+            "intervene": "It brakes all but the optimum."}[mode]  # fmt: skip
+    body = ["<h2>Supervision (ETCS)</h2>", f"<p>{told} Distances are the least way left to a limit "
+            "before each target; negative: beyond it.</p>"]  # fmt: skip
+    for title, (head, *rows) in tables:
+        body += [f"<h3>{title}</h3>", table(head, rows)]
+    for way in (way for way in found.ways if way.watched is not None):
+        body += [f"<h3>Limits and run, {way.name}</h3>", _two(way)]
+        head, *rows = log_rows(way.watched)
+        body += [f"<details><summary>Log, {way.name}: {len(rows)} changes</summary>",
+                 table(head, rows), "</details>"]  # fmt: skip
+    return body
+
+
+def _two(way: Any) -> str:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(10, 7.5), layout="constrained")
+    FigureCanvasAgg(figure)
+    draw_supervised(tuple(figure.subplots(2, 1)), way)
+    return picture(figure, f"limits of the supervision and the run over distance, {way.name}")
 
 
 def _tuned(found: Any) -> list[str]:

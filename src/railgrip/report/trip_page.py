@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from railgrip.engine.journey.legs import Leg, legs
+from railgrip.engine.journey.watching import watched
 from railgrip.engine.trip import TripRun
 from railgrip.report.plots.journey import draw_speeds
 from railgrip.report.static_page import heading, picture, static_page, table
+from railgrip.report.supervised_journey import draw_supervised, log_rows, supervision_tables
 
 Array = NDArray[np.float64]
 
@@ -36,9 +40,9 @@ def figures(run: TripRun) -> list[tuple[str, float, str, str]]:
     ):  # fmt: skip
         joules = run.total(name)
         values.append((name, joules, words, f"{joules / 3.6e6:.2f} kWh"))
-    air = run.total("air_used")
+    air, sand = run.total("air_used"), sum(leg.sand for leg in run.legs)
     values += [
-        ("sand", _sand(run), "sand laid", f"{_sand(run):.1f} kg"),
+        ("sand", sand, "sand laid", f"{sand:.1f} kg"),
         ("air_used", air, "air used", f"{air * 1e3:.0f} Nl"),
         ("longest_lock", worst, "longest lock above 30 km/h", f"{worst:.2f} s"),
     ]
@@ -71,12 +75,47 @@ def trip_html(run: TripRun) -> str:
             table(heads, rows),
             "<h2>Speed over distance</h2>",
             picture(_speeds(run), "speed over distance"),
+            *supervised(run),
             "<h2>Slip</h2>",
             picture(_slips(run), "speed of the slowest and the fastest wheel over the train's"),
             "<h2>Altogether</h2>",
             table(["", ""], [[words, text] for _, _, words, text in figures(run)]),
         ],
     )
+
+
+def supervised(run: TripRun) -> list[str]:
+    """Return what the supervision says of a trip: table, limits with the run, log."""
+    if run.journey.supervision is None:
+        return []
+    way = supervised_way(run)
+    found = SimpleNamespace(ways=[way])
+    body = ["<h2>Supervision (ETCS)</h2>"]
+    for title, (head, *rows) in supervision_tables(found):
+        body += [f"<h3>{title}</h3>", table(head, rows)]
+    head, *rows = log_rows(way.watched)
+    figure = _figure(7.5)
+    draw_supervised(tuple(figure.subplots(2, 1)), way)
+    return [*body, picture(figure, "limits of the supervision and the run over distance"),
+            f"<details><summary>Log: {len(rows)} changes</summary>", table(head, rows),
+            "</details>"]  # fmt: skip
+
+
+def supervised_way(run: TripRun) -> SimpleNamespace:
+    """Return the trip as a way of driving that the supervision has watched."""
+    time, position, speed = list[Array](), list[Array](), list[Array]()
+    told, clock = list[tuple[int, Leg]](), 0.0
+    for leg, known in zip(run.legs, legs(run.journey), strict=True):
+        data = leg.run.data
+        told.append((sum(part.size for part in time), known))
+        time.append(clock + data["time"].values)
+        position.append(data["train_position"].values[0])
+        speed.append(data["train_speed"].values[0])
+        clock = float(time[-1][-1])
+    whole = [np.concatenate(parts) for parts in (time, position, speed)]
+    said = watched(run.journey, whole[0], whole[1], whole[2], told)
+    return SimpleNamespace(name="on the plant", position=whole[1], speed=whole[2], watched=said,
+                           interventions=())  # fmt: skip
 
 
 def ways(run: TripRun) -> dict[str, tuple[Array, Array]]:
@@ -96,16 +135,6 @@ def slip_speeds(data: Any) -> tuple[Array, Array, Array]:
     speed = data["train_speed"].values[0]
     over = data["wheel_speed"].values[0] - speed
     return data["train_position"].values[0], over.min(axis=0), over.max(axis=0)
-
-
-def _sand(run: TripRun) -> float:
-    """Return the sand laid by all legs, kg."""
-    total = 0.0
-    for leg in run.legs:
-        sand = leg.run.data["rail_sand"]
-        cell = float(np.diff(sand["cell"].values[:2])[0])
-        total += float(np.nansum(sand.values)) * cell
-    return total
 
 
 def _figure(height: float) -> Any:

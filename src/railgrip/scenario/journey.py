@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from railgrip.core.errors import Problem
 from railgrip.scenario.base import Model, Text, refuse
 from railgrip.scenario.coasting import Coasting
+from railgrip.scenario.journey_supervision import JourneySupervision
 from railgrip.scenario.leader import Leader
 from railgrip.scenario.line import Line, LineStop
 from railgrip.scenario.point_train import PointTrain
@@ -54,11 +55,16 @@ class Journey(Model):
     leader: Leader | None = Field(
         default=None, description="A train ahead on the same line; absent: none."
     )
+    supervision: JourneySupervision | None = Field(
+        default=None, description="ETCS supervision; absent: none."
+    )
     step: Time = Field(default=1.0, gt=0, le=5, description="Longest step of the fast journey.")
 
     @model_validator(mode="after")
     def _fits_together(self) -> Journey:
-        refuse([*self._limits(), *self._stops(), *self._times(), *self._curve()])
+        refuse(
+            [*self._limits(), *self._stops(), *self._times(), *self._curve(), *self._supervised()]
+        )
         return self
 
     def stops(self) -> tuple[LineStop, ...]:
@@ -125,3 +131,17 @@ class Journey(Model):
                 )
             ]
         return []
+
+    def _supervised(self) -> list[Problem]:
+        if self.supervision is None:
+            return []
+        problems, length = [], self.supervision.train.length
+        if length < self.train.length - 0.5:  # it would miss gradients under the train
+            what = "is less than that of the train itself"
+            problems.append(Problem("supervision.train.length", what, got=f"{length:g} m",
+                                    allowed=f"from {self.train.length:g} m"))  # fmt: skip
+        if self.leader is not None and self.leader.renewal == 0.0:
+            what = "has no steady form: an ETCS authority comes in messages"
+            problems.append(Problem("supervision", what, got="leader.renewal = 0",
+                                    cure="leader.renewal = '5 s'"))  # fmt: skip
+        return problems

@@ -8,17 +8,17 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from railgrip.control.etcs import train_data
-from railgrip.control.etcs.braked_weight import (
-    build_up_times,
-    deceleration_of,
-    service_deceleration_of,
-)
-from railgrip.control.etcs.deceleration_field import NO_CAP
-from railgrip.control.etcs.steps import Steps, combined, constant
+from railgrip.control.etcs.steps import Steps
 from railgrip.core.errors import Problem
 from railgrip.scenario.base import Model, Text, refuse
+from railgrip.scenario.supervised_brakes import (
+    missing_level,
+    track_under,
+    train_before,
+    turned_areas,
+)
 from railgrip.scenario.supervised_train import SupervisedTrain
-from railgrip.scenario.supervision_values import FAST, Area, GradientFrom, NationalValues, steps_of
+from railgrip.scenario.supervision_values import FAST, Area, GradientFrom, NationalValues
 from railgrip.scenario.units import Length, Speed
 
 
@@ -79,16 +79,9 @@ class SupervisionCase(Model):
             Problem(f"gradient[{i + 1}].at", "must lie beyond the entry before it",
                     got=f"{b:g} m after {a:g} m")
             for i, (a, b) in enumerate(pairwise(places)) if b <= a
-        ] + [
-            Problem(f"reduced_adhesion[{i}].to", "must lie beyond 'from'",
-                    got=f"from {area.begin:g} m to {area.end:g} m")
-            for i, area in enumerate(self.reduced_adhesion) if area.end <= area.begin
         ]  # fmt: skip
-        levels = [row.confidence_level for row in self.train.kdry]
-        if levels and self.national.confidence_level not in levels:
-            problems.append(Problem("train.kdry", "has no steps for national.confidence_level",
-                                    got=", ".join(map(str, levels)),
-                                    allowed=str(self.national.confidence_level)))  # fmt: skip
+        problems += turned_areas(self.reduced_adhesion)
+        problems += missing_level(self.train, self.national)
         if self.target.speed >= (self.ceiling or self.train.top_speed):
             problems.append(Problem("target.speed", "must be below the ceiling speed",
                                     got=f"{3.6 * self.target.speed:g} km/h"))  # fmt: skip
@@ -97,65 +90,16 @@ class SupervisionCase(Model):
 
     def supervised_train(self) -> train_data.SupervisedTrain:
         """Return the train as the supervision sees it, national values included."""
-        one = self.train
-        return train_data.SupervisedTrain(
-            length=one.length, brakes=self._brakes(), rotating_mass=one.rotating_mass,
-            commands_service_brake=one.service_brake_interface and self.national.service_brake,
-            cuts_traction=one.traction_cut_off_interface,
-            traction_cut_off_time=one.traction_cut_off_time, acceleration=one.acceleration,
-            compensates_speed=self.national.compensate_speed,
-        )  # fmt: skip
+        return train_before(self.train, self.national, self.target.speed, self.as_era_tool)
 
     def supervised_track(self) -> train_data.Track:
         """Return gradient and reduced adhesion."""
         points = self.gradient or (GradientFrom(at=0.0, value=0.0),)
         gradient = Steps(tuple(p.at for p in points), tuple(p.value for p in points))
-        if not self.reduced_adhesion:
-            return train_data.Track(gradient, NO_CAP)
-        with_magnets, passenger, freight = self.national.reduced_adhesion
-        cap = freight
-        if self.train.position == "passenger P":
-            cap = with_magnets if self.train.adhesion_independent_brake else passenger
-        areas = tuple((area.begin, area.end) for area in self.reduced_adhesion)
-        length = self.train.length
-        return train_data.Track(gradient, train_data.reduced_adhesion(areas, length, cap))
+        return track_under(self.train, self.national, gradient, self.reduced_adhesion)
 
     def supervised_target(self) -> train_data.Target:
         """Return the target."""
         is_end = self.target.kind == "end of authority"
         place = self.target.supervised_location
         return train_data.Target(self.target.at, self.target.speed, is_end, place)
-
-    def _brakes(self) -> train_data.Brakes:
-        one, national = self.train, self.national
-        normal = steps_of(one.normal_service) if one.normal_service and national.guidance else None
-        kn = [steps_of(steps) if steps else constant(0.0)
-              for steps in (one.kn_uphill, one.kn_downhill)]  # fmt: skip
-        if one.braked_weight is None:
-            level = national.confidence_level
-            dry = [steps_of(row.steps) for row in one.kdry if row.confidence_level == level]
-            safe = train_data.safe_deceleration(
-                steps_of(one.emergency), dry[0] if dry else constant(1.0),
-                steps_of(one.kwet) if one.kwet else constant(1.0), national.available_adhesion,
-            )  # fmt: skip
-            times = (one.emergency_time or 0.0, one.service_time or 0.0)
-            return train_data.Brakes(safe, steps_of(one.service), *times, normal, *kn)
-        emergency = deceleration_of(one.braked_weight)
-        service = service_deceleration_of(one.braked_weight, self.as_era_tool)
-        safe = combined(lambda a, k: a * k, emergency, self._kv(emergency))
-        longer = [step.value for step in national.kr if one.length > step.begin]
-        safe = safe.scaled(longer[-1] if longer else national.kr[0].value)
-        times = build_up_times(one.position, one.length, self.target.speed)
-        return train_data.Brakes(safe, service, national.kt * times[0], times[1], normal, *kn)
-
-    def _kv(self, emergency: Steps) -> Steps:
-        national = self.national
-        if self.train.position != "passenger P":
-            return steps_of(national.kv_freight)
-        begins = tuple(step.begin for step in national.kv_passenger)
-        weak = Steps(begins, tuple(step.weak for step in national.kv_passenger))
-        strong = Steps(begins, tuple(step.strong for step in national.kv_passenger))
-        reached = [value for begin, value in zip(*emergency, strict=True)
-                   if begin <= self.train.top_speed]  # fmt: skip
-        pivots = (national.a_nvp12, national.a_nvp23)
-        return train_data.passenger_factor(weak, strong, max(reached), pivots)

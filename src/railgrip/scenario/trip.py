@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from railgrip.scenario.base import Model
+from railgrip.core.errors import Problem
+from railgrip.scenario.base import Model, refuse
 from railgrip.scenario.coasting import Coasting
+from railgrip.scenario.journey_supervision import JourneySupervision
 from railgrip.scenario.line import LineStop
 from railgrip.scenario.units import Acceleration, Dimensionless, Time
 
@@ -25,6 +27,9 @@ class Trip(Model):
     coasting: Coasting | None = Field(
         default=None, description="Coasting-initiation; absent: none."
     )
+    supervision: JourneySupervision | None = Field(
+        default=None, description="ETCS supervision; absent: none."
+    )
     supplement: Dimensionless = Field(
         default=0.05, ge=0, le=10, description="Of the timetable, over the time on dry rail."
     )
@@ -35,3 +40,10 @@ class Trip(Model):
     gain: Dimensionless = Field(
         default=0.4, gt=0, le=5, description="Acceleration per deviation of the speed, 1/s."
     )
+
+    @model_validator(mode="after")
+    def _is_only_watched(self) -> Trip:
+        if self.supervision is not None and self.supervision.mode == "intervene":
+            what = "is for journeys without slip; on the plant no brake is commanded by it"
+            refuse([Problem("supervision.mode", what, got="intervene", allowed="report, drive")])
+        return self

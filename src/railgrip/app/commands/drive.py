@@ -23,6 +23,7 @@ def drive(
     time: float | None = None,
     tune: bool = False,
     seed: int = 1,
+    factors: Path | None = None,
     out: Path | None = None,
     as_json: Json = False,
 ) -> int:
@@ -43,6 +44,9 @@ def drive(
         Search the coasting parameters of least energy for that time.
     seed
         Of the search.
+    factors
+        Emergency brake, Kdry and Kwet of the supervision as `railgrip campaign safety` found them
+        (factors.json), instead of the file's.
     out
         Folder for the report; ./out/FILE if not given.
     as_json
@@ -53,15 +57,19 @@ def drive(
     if "trip" in read_toml(file):
         from railgrip.app.commands.drive_trip import drive_on_plant
 
-        _only_journeys(supplement, time, tune)
+        _only_journeys(supplement, time, tune, factors)
         return drive_on_plant(file, out, as_json)
     with working("driving"):
         from railgrip.app.files import folder_of_results
         from railgrip.campaign.driving import driven
         from railgrip.io.journey_toml import read_journey
         from railgrip.report.journey_page import energy_rows, leg_rows, page
+        from railgrip.report.supervised_journey import supervision_tables
 
-        found = driven(_asked(read_journey(file), supplement, time), tune=tune, seed=seed)
+        journey = _asked(read_journey(file), supplement, time)
+        if factors is not None:
+            journey = _with_factors(journey, factors)
+        found = driven(journey, tune=tune, seed=seed)
     folder = out or Path("out") / file.stem
     with folder_of_results(folder) as aside:
         (aside / _PAGE).write_text(page(found), encoding="utf-8")
@@ -73,14 +81,32 @@ def drive(
     times = {way.name: way.running_times for way in found.ways}
     print_table("Running times", ["from – to", *times], leg_rows(found.journey, times))
     print_table("Energy, kWh", ["", *(way.name for way in found.ways)], energy_rows(found))
+    for title, (head, *rows) in supervision_tables(found):
+        print_table(title, head, rows)
     if found.tuned is not None:
         print_table("Coasting, tuned", ["", ""], found.tuned_rows())
     print(f"Report: {folder / _PAGE}")
     return 0
 
 
-def _only_journeys(supplement: float | None, time: float | None, tune: bool) -> None:
-    given = {"--supplement": supplement, "--time": time, "--tune": tune or None}
+def _with_factors(journey: Journey, factors: Path) -> Journey:
+    from railgrip.io.safety_factors import with_factors
+
+    if journey.supervision is None:
+        what = "is for a journey under supervision"
+        raise RailgripError(Problem("--factors", what, cure="a table [supervision]"))
+    return journey.model_copy(update={"supervision": with_factors(journey.supervision, factors)})
+
+
+def _only_journeys(
+    supplement: float | None, time: float | None, tune: bool, factors: Path | None
+) -> None:
+    given = {
+        "--supplement": supplement,
+        "--time": time,
+        "--tune": tune or None,
+        "--factors": factors,
+    }
     problems = [
         Problem(name, "is for journeys without slip", cure="a table [coasting] in [trip]")
         for name, value in given.items()

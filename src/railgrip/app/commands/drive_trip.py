@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
 
 from railgrip.app.screen import print_json, print_table, working
 
@@ -15,7 +16,8 @@ def drive_on_plant(file: Path, out: Path | None, as_json: bool) -> int:
         import railgrip
         from railgrip.app.files import folder_of_results
         from railgrip.engine.trip import drive_trip
-        from railgrip.report.trip_page import figures, leg_table, trip_html
+        from railgrip.report.supervised_journey import supervision_tables
+        from railgrip.report.trip_page import figures, leg_table, supervised_way, trip_html
 
         run = drive_trip(railgrip.load(file))
     folder = out or Path("out") / file.stem
@@ -34,6 +36,10 @@ def drive_on_plant(file: Path, out: Path | None, as_json: bool) -> int:
         return 0 if has_arrived else 1
     heads, cells = leg_table(run)
     print_table(run.scenario.title or "Trip", heads, cells)
+    if run.journey.supervision is not None:
+        found = SimpleNamespace(ways=[supervised_way(run)])
+        for title, (head, *lines) in supervision_tables(found):
+            print_table(title, head, lines)
     print_table("Altogether", ["", ""], [[words, text] for _, _, words, text in rows])
     print(f"Report: {folder / _PAGE}")
     return 0 if has_arrived else 1

@@ -23,8 +23,9 @@ from railgrip.control.coasting.coasting_parameters import (
     check_coasting,
 )
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.engine.journey.drive import DrivingLaw, JourneyRun, Leg, braking_of, legs
+from railgrip.engine.journey.drive import DrivingLaw, JourneyRun
 from railgrip.engine.journey.forces import HOLD
+from railgrip.engine.journey.legs import Leg, braking_of, legs
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
@@ -143,13 +144,18 @@ def indicators(run: JourneyRun) -> list[Indicated]:
     """
     law, switched = _checked(run.journey), run.journey.coasting
     assert switched is not None
-    trace, log = run.trace, list[Indicated]()
-    for leg in legs(run.journey):
-        law.reset()
+    trace, log, end = run.trace, list[Indicated](), np.nan
+    firsts = [first for first, _ in run.told] + [trace["time"].size]
+    for (first, leg), until in zip(run.told, firsts[1:], strict=True):
+        if leg.end != end:
+            law.reset()
+            end = leg.end
         targets = announced(leg)
-        here = (trace["position"] >= leg.begin) & (trace["position"] < leg.end)
+        here = slice(first, until)
         columns = [trace[name][here].tolist() for name in ("time", "position", "speed")]
         for time, position, speed in zip(*columns, strict=True):
+            if position >= leg.end:
+                continue
             told = law.step(
                 position, speed, targets,
                 by_hand=switched.by_hand, by_control=switched.by_control,

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from itertools import pairwise
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,30 +12,14 @@ from numpy.typing import NDArray
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.journey import kernel
 from railgrip.engine.journey.forces import train_arrays
-from railgrip.engine.journey.profile import Sections, ceiling
+from railgrip.engine.journey.legs import Leg, braking_of, legs
+from railgrip.engine.journey.profile import Sections
 from railgrip.engine.journey.steps import SCRATCH
 from railgrip.engine.plug_ins import first_class
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
 MOST_ROWS = 400_000
-
-
-class Leg(NamedTuple):
-    """What a driving law may know of the way to the next stop."""
-
-    begin: float
-    """Position of the departure, m."""
-    end: float
-    """Position of the next stop, m."""
-    targets: tuple[tuple[float, float], ...]
-    """(position [m], permitted speed [m/s]) of every lower limit ahead, the stop last."""
-    deceleration: float
-    """Of the braking curves, m/s²."""
-    is_stop: bool = True
-    """Whether the train stands at its end."""
-    ceiling: tuple[Array, ...] = ()
-    """Highest square of speed by pieces, as `railgrip.engine.journey.profile.ceiling` gives it."""
 
 
 class DrivingLaw(NamedTuple):
@@ -64,6 +47,25 @@ FLAT_OUT = DrivingLaw(full_power, lambda leg: (np.zeros(1), np.zeros(0)))
 """Full power to the permitted speed, then to the braking curve."""
 
 
+class Intervention(NamedTuple):
+    """A stretch on which the supervision braked.
+
+    Parameters
+    ----------
+    brake : str
+        ``service``, ``emergency``, or ``service, emergency`` where the first was not enough.
+    begin, end : (float, float, float)
+        Time [s], position [m], speed [m/s] where it began and ended.
+    target : float
+        Position of the target that it protected, or nan for a speed limit, [m].
+    """
+
+    brake: str
+    begin: tuple[float, float, float]
+    end: tuple[float, float, float]
+    target: float
+
+
 @dataclass(frozen=True)
 class JourneyRun:
     """What became of a journey.
@@ -82,6 +84,10 @@ class JourneyRun:
         ``dc_link`` and ``pantograph`` net, with the auxiliaries.
     switchings : int
         Changes between traction and none.
+    told : list of (int, Leg)
+        What the driving law was told, each with the first row of the trace for which it held.
+    interventions : list of Intervention
+        Where the supervision braked.
     """
 
     journey: Journey
@@ -89,6 +95,8 @@ class JourneyRun:
     running_times: Array
     energy: dict[str, float]
     switchings: int
+    told: list[tuple[int, Leg]] = field(default_factory=list)
+    interventions: list[Intervention] = field(default_factory=list)
 
     @property
     def running_time(self) -> float:
@@ -123,17 +131,18 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
     >>> round(run.running_time, 1)
     393.4
     """
+    if journey.supervision is not None and journey.supervision.mode == "intervene":
+        from railgrip.engine.journey.intervening import drive_supervised  # it drives by this module
+
+        return drive_supervised(journey, law)
     deceleration = braking_of(journey)
     train, sections = train_arrays(journey.train), Sections(journey)
     called = first_class(law.demand, kernel.LAW)
     totals, traces, times = np.zeros(kernel.TOTALS), [], []
-    clock = 0.0
+    clock, told, row = 0.0, list[tuple[int, Leg]](), 0
     speed = journey.passing_speed
     for leg, there in zip(legs(journey), journey.stops()[1:], strict=True):
-        if speed**2 > leg.ceiling[1][0] * (1 + 1e-9):
-            raise RailgripError(
-                Problem("passing_speed", "is above what is permitted there", got=f"{speed:g} m/s")
-            )
+        check_passing(speed, leg.ceiling)
         parameters, state = law.setup(leg)
         rows = np.zeros((rows_for(leg.ceiling, sections, journey), kernel.COLUMNS))
         end = np.zeros(4)
@@ -145,45 +154,20 @@ def drive(journey: Journey, law: DrivingLaw = FLAT_OUT) -> JourneyRun:
         check_end(status, end, deceleration)
         part = rows[: int(end[0])]
         part[:, kernel.TIME] += clock
+        told.append((row, leg))
+        row += len(part)
         traces.append(part)
         times.append(end[1])
         clock += end[1] + there.dwell
         speed = 0.0
-    return run_of(journey, np.concatenate(traces), np.array(times), totals)
+    return run_of(journey, np.concatenate(traces), np.array(times), totals, told)
 
 
-def braking_of(journey: Journey) -> float:
-    """Return the deceleration of a journey's braking curves, m/s²; refuse one that has none."""
-    deceleration = journey.deceleration()
-    if deceleration is None:
-        what = "is missing, and the train names none"
-        raise RailgripError(Problem("braking", what, cure="braking = '0.5 m/s^2'"))
-    return deceleration
-
-
-def legs(journey: Journey) -> list[Leg]:
-    """Return what a driving law is told of each leg."""
-    deceleration, stops = braking_of(journey), journey.stops()
-    found = []
-    for k, (here, there) in enumerate(pairwise(stops)):
-        final = journey.passing_speed if k == len(stops) - 2 else 0.0
-        lid = ceiling(journey, here.at, there.at, final, deceleration)
-        found.append(leg_of(lid, deceleration, final == 0.0))
-    return found
-
-
-def leg_of(lid: tuple[Array, Array, Array], deceleration: float, is_stop: bool) -> Leg:
-    """Return what a driving law is told of a leg under a ceiling."""
-    position, square, slope = lid
-    feet = np.maximum(square + slope * np.diff(position), 0.0)
-    # a braking curve ends where the next piece does not go on falling from its foot
-    goes_on = np.append((slope[1:] < 0.0) & (square[1:] <= feet[:-1] * (1 + 1e-9)), False)
-    ends = tuple(
-        (float(position[k + 1]), float(feet[k] ** 0.5))
-        for k in range(slope.size)
-        if slope[k] < 0.0 and not goes_on[k]
-    )
-    return Leg(float(position[0]), float(position[-1]), ends, deceleration, is_stop, lid)
+def check_passing(speed: float, lid: tuple[Array, ...]) -> None:
+    """Refuse a speed at a leg's beginning that is not permitted there."""
+    if speed**2 > lid[1][0] * (1 + 1e-6):
+        what = "is above what is permitted there, or what the authority leaves"
+        raise RailgripError(Problem("passing_speed", what, got=f"{speed:g} m/s"))
 
 
 def rows_for(lid: tuple[Array, ...], sections: Sections, journey: Journey) -> int:
@@ -221,7 +205,9 @@ def check_end(status: int, end: Array, deceleration: float) -> None:
         )
 
 
-def run_of(journey: Journey, rows: Array, times: Array, totals: Array) -> JourneyRun:
+def run_of(
+    journey: Journey, rows: Array, times: Array, totals: Array, told: list[tuple[int, Leg]]
+) -> JourneyRun:
     """Return the run that rows of the trace, running times and totals of its legs make."""
     names = ("time", "position", "speed", "traction", "motor_brake", "friction", "permitted")
     chain, net = journey.train.efficiency, journey.train.regeneration.receptivity
@@ -240,4 +226,5 @@ def run_of(journey: Journey, rows: Array, times: Array, totals: Array) -> Journe
         times,
         energy,
         int(totals[kernel.SWITCHINGS]),
+        told,
     )

@@ -2,64 +2,26 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
-from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from railgrip.control.coasting.moving_authority import MovingAuthority, moving_authority
+from railgrip.control.coasting.moving_authority import moving_authority
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.engine.journey import kernel
-from railgrip.engine.journey.drive import (
-    FLAT_OUT,
-    DrivingLaw,
-    JourneyRun,
-    braking_of,
-    check_end,
-    drive,
-    leg_of,
-    rows_for,
-    run_of,
-)
-from railgrip.engine.journey.forces import train_arrays
-from railgrip.engine.journey.profile import Sections, ceiling
-from railgrip.engine.journey.steps import SCRATCH
-from railgrip.engine.plug_ins import first_class
+from railgrip.engine.journey.coasting import coasting_of
+from railgrip.engine.journey.drive import FLAT_OUT, DrivingLaw, JourneyRun, drive
+from railgrip.engine.journey.intervening import marched
+from railgrip.engine.journey.marching import Authority
 from railgrip.scenario.explain import problems_of
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
 
-WORTH_MOVING = 0.01
-"""An authority that ends nearer than this lets a standing train stand, m."""
-
-
-class Authority(NamedTuple):
-    """How far a train may go, over the time since it could set off.
-
-    Parameters
-    ----------
-    record : MovingAuthority
-        Behind the leading train, renewed after a period above 0.
-    free_from : float
-        When the leading train has left the track, [s].
-    """
-
-    record: MovingAuthority
-    free_from: float = math.inf
-
-    def end(self, time: float) -> float:
-        """Return the end of authority that is known at a time, [m]."""
-        known = self.record.period * math.floor(time / self.record.period + 1e-9)
-        return math.inf if known >= self.free_from else self.record.target(time).position
-
 
 def leading(journey: Journey) -> JourneyRun:
-    """Return the run of the leading train of a journey, flat out on the same line."""
+    """Return the run of the leading train of a journey, as it is driven on the same line."""
     leader = journey.leader
     if leader is None:
         raise RailgripError(Problem("leader", "is missing", cure="a table [leader]"))
@@ -68,8 +30,9 @@ def leading(journey: Journey) -> JourneyRun:
             train=leader.train, line=journey.line, stop=leader.stop or journey.stops(),
             passing_speed=leader.passing_speed, braking=leader.braking,
             gradient_under=journey.gradient_under, curve_resistance=journey.curve_resistance,
+            coasting=leader.coasting, step=journey.step,
         )  # fmt: skip
-        return drive(ahead)
+        return drive(ahead) if leader.coasting is None else drive(ahead, coasting_of(ahead))
     except ValidationError as error:
         found = problems_of(error, Journey)
     except RailgripError as error:
@@ -167,76 +130,16 @@ def follow(
     (331, 561, 76)
     """
     authority = authority_of(journey) if authority is None else authority
-    march = _March(journey, law, authority)
-    stops = journey.stops()
-    times = []
-    for k, (here, there) in enumerate(pairwise(stops)):
-        first = journey.passing_speed if k == 0 else 0.0
-        final = journey.passing_speed if k == len(stops) - 2 else 0.0
-        begun = march.clock
-        march.leg(here.at, there.at, first, final)
-        times.append(march.clock - begun)
-        march.clock += there.dwell
-    rows = np.concatenate(march.traces)
-    pulls = np.concatenate([[False], rows[:, kernel.TRACTION] > 0.0])
-    march.totals[kernel.SWITCHINGS] = float(np.count_nonzero(np.diff(pulls)))
-    return run_of(journey, rows, np.array(times), march.totals)
+    return marched(journey, law, authority)
 
 
-class _March:
-    """The march from renewal to renewal."""
-
-    def __init__(self, journey: Journey, law: DrivingLaw, authority: Authority) -> None:
-        self.journey, self.law, self.authority = journey, law, authority
-        self.deceleration = braking_of(journey)
-        self.train, self.sections = train_arrays(journey.train), Sections(journey)
-        self.called = first_class(law.demand, kernel.LAW)
-        self.totals, self.traces, self.clock = np.zeros(kernel.TOTALS), list[Array](), 0.0
-
-    def leg(self, place: float, stop: float, speed: float, final: float) -> None:
-        """Drive from a place to the next stop."""
-        state: Array | None = None
-        period = self.authority.record.period
-        while True:
-            renewal = period * (math.floor(self.clock / period + 1e-9) + 1)
-            end = min(self.authority.end(self.clock), stop)
-            if end - place < WORTH_MOVING and end < stop:
-                self.clock = renewal
-                continue
-            aim = final if end == stop else 0.0
-            lid = ceiling(self.journey, place, end, aim, self.deceleration)
-            if speed**2 > lid[1][0] * (1.0 + 1e-6):
-                what = "is above what is permitted there, or what the authority leaves"
-                raise RailgripError(Problem("passing_speed", what, got=f"{speed:g} m/s"))
-            # the law knows its next stop, and all targets up to the end of authority
-            told = leg_of(lid, self.deceleration, final == 0.0)._replace(end=stop)
-            parameters, first = self.law.setup(told)
-            state = first if state is None else state
-            # what the renewal itself changes is known before anything moves
-            demand = np.zeros(2 + state.size)
-            self.law.demand(place, speed, parameters, state, demand)
-            state = demand[2:].copy()
-            until = math.inf if end == stop and end < math.inf else renewal - self.clock
-            rows = np.zeros((rows_for(lid, self.sections, self.journey), kernel.COLUMNS))
-            found = np.zeros(4)
-            status = kernel.march(
-                self.train, self.sections.position, self.sections.slope,
-                self.sections.slope_change, self.sections.drag,
-                *lid, self.called, parameters, state, speed, self.journey.step, until,
-                rows, self.totals, np.zeros(SCRATCH + 2 * (2 + state.size)), found,
-            )  # fmt: skip
-            check_end(status, found, self.deceleration)
-            part = rows[: int(found[0])]
-            part[:, kernel.TIME] += self.clock
-            self.traces.append(part)
-            place, speed = float(found[2]), float(found[3])
-            if status == kernel.TIME_IS_UP:
-                self.clock = renewal
-                continue
-            self.clock += float(found[1])
-            if end == stop:
-                return
-            place, speed = end, 0.0
+def driven_run(
+    journey: Journey, law: DrivingLaw = FLAT_OUT, authority: Authority | None = None
+) -> JourneyRun:
+    """Drive a journey behind its leading train, or alone if it has none."""
+    if journey.leader is None and authority is None:
+        return drive(journey, law)
+    return follow(journey, law, authority)
 
 
 def _rising(front: Array, moments: Array) -> tuple[Array, Array]:

@@ -37,6 +37,7 @@ def journey_of(scenario: Scenario) -> Journey:
             title=scenario.title, train=train, line=line, stop=trip.stop,
             braking=trip.braking if trip.braking is not None else SERVICE * service,
             gradient_under="train", curve_resistance=True, coasting=trip.coasting,
+            supervision=trip.supervision,
         )  # fmt: skip
     except ValidationError as error:
         raise RailgripError(problems_of(error, Journey)) from None

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from railgrip.scenario.journey import Journey
 
 Array = NDArray[np.float64]
+Piece = tuple[float, float, float, float]
+"""Begin, end [m], and the squares of a speed at both [m²/s²]."""
 
 
 def curve_resistance(radius: float) -> float:
@@ -135,27 +137,56 @@ def ceiling(
         Where pieces begin, the last entry their end, [m].
     square, slope : array (piece)
         Square of the speed at the beginning of each piece [m²/s²] and its slope [m/s²],
-        0 or −2 × deceleration. It may jump up between pieces, never down.
+        0, −2 × deceleration or between. It may jump up between pieces, never down.
     """
+    return braked(limit_pieces(journey, begin, end), final_speed, deceleration)
+
+
+def limit_pieces(journey: Journey, begin: float, end: float) -> list[Piece]:
+    """Return the squares of the speed limits by pieces, without braking curves."""
     steps = limits(journey)
-    marks = [(at, v * v) for at, v in steps if begin < at < end]
     first = [v * v for at, v in steps if at <= begin][-1]
-    pieces = [(begin, first), *marks]
-    bounds = [at for at, _ in pieces] + [end]
+    marks = [(begin, first), *((at, v * v) for at, v in steps if begin < at < end)]
+    stops = [at for at, _ in marks[1:]] + [end]
+    return [(at, stop, square, square) for (at, square), stop in zip(marks, stops, strict=True)]
+
+
+def braked(
+    pieces: list[Piece], final_speed: float, deceleration: float
+) -> tuple[Array, Array, Array]:
+    """Return the highest square of speed below pieces that a train can keep to by its brake.
+
+    Parameters
+    ----------
+    pieces : list of (begin, end, square there, square here)
+        Lines of the square of the speed over position, one behind the other; they may jump, and
+        fall more steeply than the train brakes.
+    final_speed, deceleration : float
+        At the end of the last one, [m/s]; of the brake, [m/s²].
+
+    Returns
+    -------
+    (position, square, slope)
+        As `ceiling`.
+    """
     rows: list[tuple[float, float, float]] = []
-    after = final_speed**2
-    for (at, square), stop in zip(reversed(pieces), reversed(bounds[1:]), strict=True):
-        top = min(square, after)  # at the end of this piece
-        foot = stop - (square - top) / (2.0 * deceleration)
-        if foot < stop:
+    steepest, after = 2.0 * deceleration, final_speed**2
+    for at, stop, first, last in reversed(pieces):
+        slope = (last - first) / (stop - at)
+        top = min(last, after)  # at the end of this piece
+        foot = stop
+        if last > top or slope < -steepest:
+            foot = stop - (last - top) / (steepest + slope) if slope > -steepest else at
             foot = max(foot, at)
-            rows.append((foot, top + 2.0 * deceleration * (stop - foot), -2.0 * deceleration))
+            if foot < stop:
+                rows.append((foot, top + steepest * (stop - foot), -steepest))
         if foot > at:
-            rows.append((at, square, 0.0))
+            rows.append((at, first, slope))
         after = rows[-1][1]
     rows.reverse()
     table = np.array(rows)
-    return np.append(table[:, 0], end), table[:, 1].copy(), table[:, 2].copy()
+    ends = np.append(table[:, 0], pieces[-1][1])
+    return ends, table[:, 1].copy(), table[:, 2].copy()
 
 
 def _added(
