@@ -12,8 +12,8 @@ import pytest
 import xarray as xr
 
 from railgrip.campaign.campaign_file import read_campaign_file
+from railgrip.campaign.manifest import open_campaign
 from railgrip.campaign.running import run_campaign
-from railgrip.campaign.store import open_campaign
 
 FILE = """
 title = "Stops from a walk"

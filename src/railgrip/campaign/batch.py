@@ -59,7 +59,7 @@ class Batches:
         self.campaign = campaign
         self.scenario = _for_the_fastest(campaign, scenario)
         self.drawing = Drawing(campaign, self.scenario)
-        self.collect: Collector | None = find_collector(campaign.collector)
+        self.collect: Collector | None = find_collector(campaign.collector, self.drawing.names)
         self._groups: dict[tuple[Any, ...], tuple[Scenario, Prepared]] = {}
         first = {column.variable.label: column for column in reversed(self._columns())}
         tried = {label: self._goes_together(column) for label, column in first.items()}

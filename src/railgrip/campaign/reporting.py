@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -10,9 +11,10 @@ import numpy as np
 
 from railgrip.campaign.batch import Batches
 from railgrip.campaign.designs import Compared
+from railgrip.campaign.manifest import MANIFEST
 from railgrip.campaign.sensitivity import tornado
 from railgrip.campaign.statistics import Estimate, exceedance, mean, quantile
-from railgrip.campaign.store import MANIFEST, Store
+from railgrip.campaign.store import Store
 from railgrip.core.atomic import write_aside
 from railgrip.core.errors import RailgripError
 from railgrip.core.status import ENDED_WELL, RunStatus
@@ -51,6 +53,14 @@ def states(status: Any) -> str:
     )
 
 
+def _is_drawn(store: Store, column: str) -> bool:
+    """Whether a column holds draws: a variable's label, with the vehicle, bogie or axle."""
+    return any(
+        re.fullmatch(rf"{re.escape(variable.label)}(_V\d+(_B\d+(_A\d+)?)?)?", column)
+        for variable in store.campaign.variable
+    )
+
+
 def summary(store: Store) -> tuple[str, list[list[str]]]:
     """Return how the runs ended, and a row of statistics for each kept figure.
 
@@ -59,10 +69,8 @@ def summary(store: Store) -> tuple[str, list[list[str]]]:
     table = store.read()
     well = np.isin(table["status"], ENDED_WELL)
     rows = []
-    drawn = {variable.label for variable in store.campaign.variable}
     for figure, values in table.items():
-        own = figure not in SOURCES and not any(figure.startswith(label) for label in drawn)
-        if figure in ("run", "status") or not (figure in SOURCES or own):
+        if figure in ("run", "status") or _is_drawn(store, figure):
             continue
         finite = np.asarray(values, dtype=float)[well]
         finite = finite[np.isfinite(finite)]
@@ -86,18 +94,21 @@ def write_page(store: Store, figure: str, with_tornado: bool = True) -> Path:
     finite = values[np.isfinite(values)]
     label, how = how_shown(figure)
     axis = f"{label}, {how.unit}" if how.unit else label
-    thresholds = np.linspace(finite.min(), finite.max(), 200)
-    band = exceedance(finite, thresholds)
     sections = [
         Section("How the runs ended", f"{len(values)} runs: {ended}."),
         Section("Figures", "Mean and quantiles with 95 % confidence intervals.", COLUMNS, rows),
-        Section(
-            f"{label}: exceedance",
-            figure=plots.exceedance(finite, band, thresholds * how.factor, axis),
-        ),
-        Section(f"{label}: distribution", figure=plots.histogram(finite * how.factor, axis)),
     ]
-    if with_tornado and store.campaign.variable:
+    if len(finite):
+        thresholds = np.linspace(finite.min(), finite.max(), 200)
+        band = exceedance(finite, thresholds)
+        picture = plots.exceedance(finite, band, thresholds * how.factor, axis)
+        sections += [
+            Section(f"{label}: exceedance", figure=picture),
+            Section(f"{label}: distribution", figure=plots.histogram(finite * how.factor, axis)),
+        ]
+    else:
+        sections.append(Section(label, "No run has this figure."))
+    if with_tornado and store.campaign.variable and len(finite):
         try:
             middle, swings = tornado(Batches(store.campaign), figure)
             picture = plots.tornado(middle, swings, how, axis)
