@@ -72,7 +72,8 @@ def _netcdf(store: Store, path: Path) -> None:
         variables[name] = (("run",), stored, attrs)
     about: dict[str, Any] = {"title": store.campaign.title, "seed": store.campaign.sampling.seed}
     data = xr.Dataset(variables, coords={"run": run}, attrs=about)
-    data.to_netcdf(path, engine="h5netcdf")
+    # made in memory: HDF5 can crash while it closes a file on a full disk
+    path.write_bytes(data.to_netcdf(None, engine="h5netcdf"))
 
 
 def catalogue(folder: Path) -> tuple[Path, list[Store], list[Problem]]:

@@ -148,7 +148,9 @@ def test_a_byte_that_flipped_is_found(done, tmp_path) -> None:
         lambda: run_campaign(asked(), folder),
         lambda: export(manifest.open_campaign(folder), tmp_path / "runs.csv"),
     ):
-        with pytest.raises(RailgripError, match="part-000000001.parquet: is damaged; try: delete"):
+        with pytest.raises(
+            RailgripError, match=r"part-000000001\.parquet: is damaged; try: delete"
+        ):
             use()
     assert [str(problem) for problem in catalogue(tmp_path)[2]] == [
         f"{part}: is damaged; try: {REDO}"
