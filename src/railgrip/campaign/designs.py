@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from railgrip.campaign.campaign_file import CampaignFile, Design
+from railgrip.campaign.campaign_file import CampaignFile
+from railgrip.campaign.campaign_parts import Design
 from railgrip.campaign.statistics import Estimate, difference, mean, quantile
 from railgrip.campaign.store import Store
 

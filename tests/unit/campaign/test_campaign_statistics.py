@@ -5,7 +5,7 @@ import pytest
 from scipy import stats
 
 from railgrip.campaign import statistics as of
-from railgrip.campaign.campaign_file import Until
+from railgrip.campaign.campaign_parts import Until
 
 
 @pytest.mark.parametrize(("hits", "runs"), [(0, 10), (3, 20), (10, 10), (1, 100_000)])

@@ -100,7 +100,8 @@ def _refuse_device(device: str) -> None:
 
 
 def _changed(asked: Any, runs: int | None, until: float | None) -> Any:
-    from railgrip.campaign.campaign_file import CampaignFile, Until, campaign_from
+    from railgrip.campaign.campaign_file import CampaignFile, campaign_from
+    from railgrip.campaign.campaign_parts import Until
 
     table = asked.model_dump(mode="json", by_alias=True)
     if runs is not None:
