@@ -141,7 +141,10 @@ def compared_rows(rows: list[Compared], figure: str) -> list[list[str]]:
             f"{row.runs}",
             said(row.mean, how),
             said(row.high, how),
-            "" if row.over_first is None else said(row.over_first, how),
+            *(
+                "" if one is None else said(one, how)
+                for one in (row.over_first, row.high_over_first)
+            ),
         ]
         for row in rows
     ]
@@ -152,7 +155,10 @@ def write_comparison(rows: list[Compared], figure: str, title: str, folder: Path
     from railgrip.report.campaign_page import Section, campaign_html
 
     label, _ = how_shown(figure)
-    text = "All designs are drawn alike; the last column is the mean difference run by run."
+    text = (
+        "All designs are drawn alike. Over the first design: the mean difference run by run, "
+        "and the difference of the 99 % quantiles (paired bootstrap)."
+    )
     table = Section(label, text, STUDY_COLUMNS, compared_rows(rows, figure))
     with write_aside(folder / "comparison.html") as aside:
         page = campaign_html(title or folder.name, f"{len(rows)} campaigns.", [table])
@@ -160,4 +166,11 @@ def write_comparison(rows: list[Compared], figure: str, title: str, folder: Path
     return folder / "comparison.html"
 
 
-STUDY_COLUMNS = ("condition, design", "runs", "mean", "99 %", "over the first design")
+STUDY_COLUMNS = (
+    "condition, design",
+    "runs",
+    "mean",
+    "99 %",
+    "mean over the first",
+    "99 % over the first",
+)

@@ -187,19 +187,22 @@ def _show(store: Store, figure: str, no_report: bool, as_json: bool) -> None:
             }
         )  # fmt: skip
         return
-    # the interval under the number: seven columns fit a terminal
-    cells = [[cell.replace(" [", "\n[") for cell in row] for row in rows]
-    print_table(store.campaign.title or store.folder.name, list(COLUMNS), cells)
+    print_table(store.campaign.title or store.folder.name, list(COLUMNS), _narrow(rows))
     print(f"Runs: {ended}")
     for page in pages:
         print(f"Report: {page}")
+
+
+def _narrow(rows: list[list[str]]) -> list[list[str]]:
+    """Return cells with the interval under the number, so that all columns fit a terminal."""
+    return [[cell.replace(" [", "\n[") for cell in row] for row in rows]
 
 
 def _show_comparison(rows: Any, figure: str, title: str) -> None:
     from railgrip.campaign.reporting import STUDY_COLUMNS, compared_rows, how_shown
 
     head = f"{title}: {how_shown(figure)[0]}"
-    print_table(head, list(STUDY_COLUMNS), compared_rows(rows, figure))
+    print_table(head, list(STUDY_COLUMNS), _narrow(compared_rows(rows, figure)))
 
 
 @campaign.command
