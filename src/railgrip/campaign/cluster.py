@@ -81,6 +81,9 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
 
 def failed(error: BaseException, first: int, seed: int) -> RailgripError:
     """Return what to say when a chunk cannot be made, however often it is tried."""
+    if "Cancelled" in type(error).__name__:  # Dask's own kind, or that of concurrent.futures
+        what = "the scheduler went away; what is written stays"
+        return RailgripError(Problem("--cluster", what, cure="run it again: it goes on"))
     what = f"the chunk from run {first} (seed {seed}) failed: {type(error).__name__}: {error}"
     return RailgripError(
         Problem("--cluster", what[:400], cure=f"railgrip replay CAMPAIGN {first}, on this machine")

@@ -4,6 +4,7 @@ import json
 import resource
 import shutil
 from collections.abc import Iterator
+from concurrent.futures import CancelledError
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -220,6 +221,12 @@ def test_a_cluster_that_does_not_answer(tmp_path, monkeypatch) -> None:
         run_campaign(asked(), tmp_path / "far", address="nowhere://x")
     with pytest.raises(RailgripError, match="is no address; got 'nowhere'; try: tcp"):
         run_campaign(asked(), tmp_path / "far", address="nowhere")
+
+
+def test_a_cluster_that_goes_away() -> None:
+    sentence = "--cluster: the scheduler went away; what is written stays; try: run it again"
+    assert sentence in str(cluster.failed(CancelledError(), 64, 1))
+    assert "chunk from run 64 (seed 1) failed: KeyError" in str(cluster.failed(KeyError(), 64, 1))
 
 
 def test_a_run_that_there_is_not_cannot_be_replayed(done) -> None:
