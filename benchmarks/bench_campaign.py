@@ -44,7 +44,7 @@ TURNS = 5
 
 
 def asked(name: str, runs: int) -> CampaignFile:
-    chunk = min(4096, max(32, runs // 16))
+    chunk = min(4096, max(32, runs // 4))
     if name == "four cars, dry":
         return read_campaign_file("dry_emergency").model_copy(update={"runs": runs, "chunk": chunk})
     scenario = "en14531_100" if name == "eight axles, dry" else "random_rail"
