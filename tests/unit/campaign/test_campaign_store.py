@@ -184,11 +184,15 @@ def test_more_runs_than_at_first_are_known_to_the_folder(tmp_path) -> None:
     assert replay(grown, 90)[1] == {"speed": grown.read(["speed"])["speed"][90]}
 
 
-def test_killed_before_its_first_note_it_begins_again(done, tmp_path) -> None:
+def test_what_a_killed_process_left_is_swept_up(done, tmp_path) -> None:
     folder = tmp_path / "killed"
     (folder / "parts").mkdir(parents=True)
     (folder / ".campaign-a1b2c3d4.json").write_text("{", encoding="utf-8")
+    run_campaign(asked(runs=50), folder)
+    half = folder / "parts" / ".part-000000002-a1b2c3d4.parquet"
+    half.write_bytes(b"PAR1")
     run_campaign(asked(), folder)
+    assert not half.exists()
     assert parts(folder) == parts(done)
 
 
