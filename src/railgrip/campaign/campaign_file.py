@@ -20,7 +20,7 @@ from railgrip.campaign.campaign_parts import (
     Until,
     Variable,
 )
-from railgrip.campaign.completing import in_their_units, with_samples
+from railgrip.campaign.completing import in_their_units, until_in_its_unit, with_samples
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.io.toml_file import load, read_toml
 from railgrip.scenario import Scenario
@@ -165,5 +165,8 @@ def _resolved(campaign: CampaignFile, table: dict[str, Any], folder: Path) -> Ca
     file, colon, function = collector.rpartition(":")
     if colon and file.endswith(".py"):
         collector = f"{os.path.abspath(folder / file)}:{function}"
-    changes = {"variable": with_samples(variables, folder), "collector": collector}
+    until = until_in_its_unit(campaign.until, table.get("until"))
+    changes = {
+        "variable": with_samples(variables, folder), "collector": collector, "until": until,
+    }  # fmt: skip
     return campaign.model_copy(update=changes)

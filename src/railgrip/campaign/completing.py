@@ -8,15 +8,18 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from railgrip.campaign.campaign_parts import Variable
+from railgrip.campaign.campaign_parts import Until, Variable
 from railgrip.campaign.distribution_kinds import Empirical
 from railgrip.campaign.distributions import Mixture, Truncated
-from railgrip.campaign.quantities import in_unit, unit_of
+from railgrip.campaign.quantities import in_unit, number_in, unit_of
 from railgrip.core.errors import Problem, RailgripError, unknown_name
+from railgrip.core.signals import SIGNALS
+from railgrip.report.metrics import SOURCES
 from railgrip.scenario import Scenario
 from railgrip.scenario.explain import problems_of
 from railgrip.scenario.files import read_text
 from railgrip.scenario.places import find_places, spread_out
+from railgrip.scenario.quantity import Unit
 from railgrip.scenario.units import RATIO
 
 
@@ -53,6 +56,22 @@ def _in_its_unit(spread: Scenario, variable: Variable, raw: Any, where: str) -> 
         return Variable.model_validate({**raw, "distribution": read})
     except ValidationError as error:
         raise RailgripError(problems_of(error, Variable, where)) from None
+
+
+def until_in_its_unit(until: Until | None, raw: Any) -> Until | None:
+    """Return a width and threshold, texts with a unit read in that of the figure."""
+    if until is None or until.figure not in SOURCES or not isinstance(raw, dict):
+        return until
+    name = SIGNALS[SOURCES[until.figure].variable].unit
+    unit = Unit("" if name == "1" else name, "", 1.0, f"5 {name}" if name != "1" else "5 %")
+    is_share = until.statistic == "exceedance"
+    read = {
+        "threshold": number_in(raw.get("threshold"), unit, "until.threshold", False),
+        "width": number_in(raw.get("width"), RATIO if is_share else unit, "until.width", True),
+    }
+    return until.model_copy(
+        update={name: value for name, value in read.items() if isinstance(value, float)}
+    )
 
 
 def with_samples(variables: Sequence[Variable], folder: Path) -> tuple[Variable, ...]:

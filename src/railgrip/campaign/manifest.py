@@ -104,6 +104,10 @@ def _refuse_changed(folder: Path, begun: CampaignFile, asked: CampaignFile) -> N
     before, now = _dump(begun), _dump(asked)
     free = FREE - {"runs"} if asked.sampling.method == "latin" else FREE
     changed = [key for key in now if key not in free and before.get(key) != now[key]]
+    if changed == ["runs"]:
+        what = "holds a Latin hypercube, which has as many runs as it was laid out for"
+        got, cure = f"{asked.runs}", "another --out, or sampling.method = 'random'"
+        raise RailgripError(Problem(str(folder), what, got, f"{begun.runs}", cure=cure))
     if changed:
         what = f"was begun with another {' and '.join(changed)}"
         cure = "another --out, or the file as it was"

@@ -89,23 +89,24 @@ def in_unit(table: Any, unit: Unit, where: str, is_difference: bool) -> Any:
         return [
             in_unit(one, unit, f"{where}[{i}]", is_difference)
             if isinstance(one, dict)
-            else _number(one, unit, f"{where}[{i}]", is_difference)
+            else number_in(one, unit, f"{where}[{i}]", is_difference)
             for i, one in enumerate(table)
         ]
     read = {}
     for key, value in table.items():
         at = f"{where}.{key}"
         if key in _LEVELS:
-            value = _number(value, unit, at, is_difference)
+            value = number_in(value, unit, at, is_difference)
         elif key == _DIFFERENCE:
-            value = _number(value, unit, at, True)
+            value = number_in(value, unit, at, True)
         elif isinstance(value, dict) or key in ("parts", "values"):
             value = in_unit(value, unit, at, is_difference)
         read[key] = value
     return read
 
 
-def _number(value: Any, unit: Unit, where: str, is_difference: bool) -> Any:
+def number_in(value: Any, unit: Unit, where: str, is_difference: bool) -> Any:
+    """Return a text with a unit as a number in another unit; anything else as it is."""
     parts = split(value) if isinstance(value, str) else None
     if parts is None or not parts[1]:
         return value  # a number, a name, or what is refused later

@@ -191,6 +191,14 @@ def test_quantities_that_are_none_are_refused(variable, sentence) -> None:
             r"distribution\.mean: has a unit that does not fit; got '80 kg'.*in m/s",
         ),
         (
+            {"until": {"width": "2 s"}},
+            r"until\.width: has a unit that does not fit; got '2 s'; allowed: a number in m",
+        ),
+        (
+            {"until": {"statistic": "exceedance", "threshold": "5 s", "width": "2 %"}},
+            r"until\.threshold: has a unit that does not fit; got '5 s'",
+        ),
+        (
             {"variable": [{**SPEED, "distribution": {"kind": "mixture", "parts": []}}]},
             r"parts: must have at least 2 entries; got a list of 0",
         ),

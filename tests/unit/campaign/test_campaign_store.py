@@ -75,6 +75,13 @@ def test_what_was_begun_otherwise_is_refused(done) -> None:
         assert parts(done) == before
 
 
+def test_a_latin_hypercube_keeps_its_number_of_runs(tmp_path) -> None:
+    latin = {"sampling": {"method": "latin"}, "chunk": 16}
+    run_campaign(asked(runs=16, **latin), tmp_path / "latin")
+    with pytest.raises(RailgripError, match=r"Latin hypercube, .*; got 32; allowed: 16; try"):
+        run_campaign(asked(runs=32, **latin), tmp_path / "latin")
+
+
 def test_foreign_damaged_and_old_folders_are_refused(tmp_path) -> None:
     foreign = tmp_path / "foreign"
     foreign.mkdir()
