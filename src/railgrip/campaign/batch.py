@@ -163,10 +163,12 @@ class Batches:
         return goes_together(scenario, column, self._tried(column), prepared, _checked)
 
     def _tried(self, column: Column) -> Values:
-        """Return two draws that the scenario allows; refuse a distribution that has none."""
+        """Return two draws that the scenario allows, or all names; refuse where there is none."""
         drawn = column.variable.distribution.ppf(np.array(TRIED))
         if drawn.dtype.kind == "b":
             return np.array([False, True])
+        if drawn.dtype.kind not in "fi":  # names: each of them must be one
+            return np.asarray(drawn)
         possible = self._possible({column.name: drawn}, len(drawn), [column])
         if not possible.any():
             i = self.campaign.variable.index(column.variable)

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -20,12 +18,16 @@ from railgrip.campaign.campaign_parts import (
     Until,
     Variable,
 )
-from railgrip.campaign.completing import in_their_units, until_in_its_unit, with_samples
+from railgrip.campaign.completing import (
+    in_their_units,
+    problems_in_file,
+    until_in_its_unit,
+    with_samples,
+)
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.io.toml_file import load, read_toml
 from railgrip.scenario import Scenario
 from railgrip.scenario.base import Model, Text, refuse
-from railgrip.scenario.explain import problems_of
 from railgrip.scenario.files import is_path
 
 
@@ -136,19 +138,8 @@ def campaign_from(table: dict[str, Any], folder: Path) -> CampaignFile:
     try:
         found = CampaignFile.model_validate(table)
     except ValidationError as error:
-        raise RailgripError(_without_kinds(problems_of(error, CampaignFile))) from None
+        raise RailgripError(problems_in_file(error, CampaignFile)) from None
     return _resolved(found, table, folder)
-
-
-_KIND_IN_PATH = re.compile(
-    r"\b(distribution|of)\.(?:normal|lognormal|uniform|triangular|truncated|event|discrete|"
-    r"empirical|mixture)\b"
-)
-
-
-def _without_kinds(problems: list[Problem]) -> list[Problem]:
-    """Return problems with key paths as they stand in the file: no kind after ``distribution``."""
-    return [replace(one, where=_KIND_IN_PATH.sub(r"\1", one.where)) for one in problems]
 
 
 def _resolved(campaign: CampaignFile, table: dict[str, Any], folder: Path) -> CampaignFile:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from railgrip.campaign.campaign_parts import Until, Variable
 from railgrip.campaign.distribution_kinds import Empirical
@@ -21,6 +23,17 @@ from railgrip.scenario.files import read_text
 from railgrip.scenario.places import find_places, spread_out
 from railgrip.scenario.quantity import Unit
 from railgrip.scenario.units import RATIO
+
+_KIND_IN_PATH = re.compile(
+    r"\b(distribution|of)\.(?:normal|lognormal|uniform|triangular|truncated|event|discrete|"
+    r"empirical|mixture)\b"
+)
+
+
+def problems_in_file(error: ValidationError, model: type[BaseModel], at: str = "") -> list[Problem]:
+    """Return problems with key paths as they stand in the file: no kind after ``distribution``."""
+    found = problems_of(error, model, at)
+    return [replace(one, where=_KIND_IN_PATH.sub(r"\1", one.where)) for one in found]
 
 
 def in_their_units(
@@ -55,7 +68,7 @@ def _in_its_unit(spread: Scenario, variable: Variable, raw: Any, where: str) -> 
     try:
         return Variable.model_validate({**raw, "distribution": read})
     except ValidationError as error:
-        raise RailgripError(problems_of(error, Variable, where)) from None
+        raise RailgripError(problems_in_file(error, Variable, where)) from None
 
 
 def until_in_its_unit(until: Until | None, raw: Any) -> Until | None:

@@ -26,7 +26,7 @@ def goes_together(
     prepared: Prepared,
     checked: Callable[[Scenario], Scenario],
 ) -> bool:
-    """Whether a column can go into the batch as an array, tried with two of its draws.
+    """Whether a column can go into the batch as an array, tried with some of its draws.
 
     Parameters
     ----------
@@ -34,8 +34,8 @@ def goes_together(
         As spread out.
     column : Column
         What is drawn.
-    tried : array (2)
-        Draws that the scenario allows.
+    tried : array
+        Two draws that the scenario allows; of names any number, each of which is checked.
     prepared : Prepared
         The scenario, lowered.
     checked : callable

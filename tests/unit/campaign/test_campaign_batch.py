@@ -160,6 +160,17 @@ def test_own_figures(tmp_path) -> None:
         ({**RAIL, "apply": "factor"}, "no number"),
         ({**SPEED, "quantity": "rail.random.mean"}, "does not have"),
         (
+            {
+                **RAIL,
+                "distribution": {
+                    "kind": "discrete",
+                    "values": ["dry", "low", "lowe"],
+                    "weights": [45, 45, 10],
+                },
+            },
+            "as drawn, .*'lowe' unknown.*did you mean 'low'",
+        ),
+        (
             {**SPEED, "distribution": {"kind": "uniform", "low": "-72 km/h", "high": "-36 km/h"}},
             r"variable\[0\].distribution: nothing that it draws is possible for speed; "
             r"got -71.* km/h to -36.* km/h; allowed: at least 0 km/h and at most 600 km/h",
