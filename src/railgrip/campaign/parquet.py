@@ -46,10 +46,15 @@ def reason(error: Exception) -> str:
     --------
     >>> reason(OSError('IO Error: {"message":"x: No space left on device","errno":"28"}'))
     'No space left on device'
+    >>> reason(OSError('IO Error: Could not write file "x.duckdb": Read-only file system'))
+    'Read-only file system'
     """
     text = " ".join(str(error).split())
     number = re.search(r'"errno":\s*"(\d+)"', text)
-    return os.strerror(int(number[1])) if number else text[:200]
+    if number:
+        return os.strerror(int(number[1]))
+    told = re.search(r'Could not write file "[^"]*": ([^"]+)$', text)
+    return told[1] if told else text[:200]
 
 
 def write_table(table: Columns, path: Path) -> None:
