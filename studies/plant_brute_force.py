@@ -23,9 +23,9 @@ import numpy as np
 import railgrip
 from railgrip.campaign.rare.estimate import rare_quantiles
 from railgrip.campaign.safety.case import find_case, read_safety_case
-from railgrip.campaign.safety.draws import Layout, layout_of
 from railgrip.campaign.safety.factors import dry_factor
 from railgrip.campaign.safety.plant import Plant
+from railgrip.campaign.safety.train_layout import Layout, layout_of
 from railgrip.core.atomic import write_aside
 
 ROOT = Path(__file__).resolve().parents[1]

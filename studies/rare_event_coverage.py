@@ -22,9 +22,9 @@ from railgrip.campaign.rare.cross_checks import BATCH
 from railgrip.campaign.rare.estimate import rare_quantiles
 from railgrip.campaign.rare.failures import failure_states
 from railgrip.campaign.safety.case import find_case, read_safety_case
-from railgrip.campaign.safety.draws import layout_of
 from railgrip.campaign.safety.factors import dry_factor
 from railgrip.campaign.safety.formula import Formula
+from railgrip.campaign.safety.train_layout import layout_of
 
 ROOT = Path(__file__).resolve().parents[1]
 SEEDS, QUICK_SEEDS, RUNS = 30, 5, 9000

@@ -18,11 +18,8 @@ from typing import Any, Final
 import railgrip
 from railgrip.campaign.rare.levels import EBCL
 from railgrip.campaign.safety.case import SafetyCase, find_case, read_safety_case
-from railgrip.campaign.safety.factors import (
-    as_table,
-    safety_factors,
-    warnings,
-)
+from railgrip.campaign.safety.factors import safety_factors
+from railgrip.campaign.safety.safe_braking import as_table, warnings
 
 ROOT = Path(__file__).resolve().parents[1]
 RUNS: Final = 6000

@@ -52,7 +52,10 @@ def test_a_package_announces_its_collector(monkeypatch) -> None:
         ("{'flat': figures['axle_flat_length']}", r"one value for each run as 'flat'.*\(9,\)"),
         ("{'flat': [[1], [1, 2]]}", "one value for each run as 'flat'"),
         ("{'flat': ['long'] * 9}", "must return numbers as 'flat'"),
-        ("{'status': figures['stopping_distance']}", "returns 'status', which every campaign has"),
+        (
+            "{'status': figures['stopping_distance']}",
+            "returns 'status', which the campaign has already",
+        ),
     ],
 )
 def test_a_wrong_collector_is_told_so(body, sentence, tmp_path) -> None:

@@ -12,8 +12,8 @@ import pytest
 import xarray as xr
 
 from railgrip.campaign.campaign_file import read_campaign_file
+from railgrip.campaign.manifest import open_campaign
 from railgrip.campaign.running import run_campaign
-from railgrip.campaign.store import open_campaign
 
 FILE = """
 title = "Stops from a walk"
@@ -87,6 +87,17 @@ def test_killed_and_resumed_it_is_as_if_never_interrupted(railgrip, file, whole,
 
 def test_clear_sentences(railgrip, file) -> None:
     assert "is no time" in railgrip("campaign", "run", "walk.toml", "--time", "soon").stderr
+    cuda = railgrip("campaign", "run", "walk.toml", "--device", "cuda")
+    assert cuda.returncode == 2
+    assert "--device: this version of railgrip has no GPU backend; got 'cuda'; all" in cuda.stderr
+    assert (
+        "device 'tpu' unknown" in railgrip("campaign", "run", "walk.toml", "--device", "tpu").stderr
+    )
+    none = railgrip("campaign", "run", "walk.toml", "--threads", "0")
+    assert "--threads: must be at least 1; got 0" in none.stderr
+    late = railgrip("campaign", "run", "walk.toml", "--time", "1e-9 s")
+    assert late.returncode == 0
+    assert "no chunk was begun yet; run it again to go on" in late.stderr
     assert "holds no campaign" in railgrip("campaign", "status", ".").stderr
     assert "did you mean 'dry_emergency'" in railgrip("campaign", "run", "dry_emergenci").stderr
 

@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from railgrip.campaign.programme.again import run_again
 from railgrip.campaign.programme.against import compared, read_protocol
-from railgrip.campaign.programme.perform import Programme, run_again
+from railgrip.campaign.programme.perform import Programme
 from railgrip.campaign.programme.profile import read_profile
 from railgrip.campaign.programme.protocol import protocol
 from railgrip.core.errors import RailgripError

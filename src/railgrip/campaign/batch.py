@@ -8,6 +8,7 @@ same value form a group that is lowered together.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,8 @@ from railgrip.campaign.campaign_file import CampaignFile
 from railgrip.campaign.collecting import Collector, find_collector
 from railgrip.campaign.distribution_kinds import Values
 from railgrip.campaign.drawing import Column, Drawing, Draws
+from railgrip.campaign.lowering import goes_together
+from railgrip.campaign.quantities import allowed, in_range, spoken
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.status import RunStatus
 from railgrip.engine.many import vary
@@ -24,14 +27,11 @@ from railgrip.engine.result import figures_of
 from railgrip.engine.simulate import Prepared, compute, prepare
 from railgrip.report.metrics import SOURCES
 from railgrip.scenario import Scenario
-from railgrip.scenario.model_walk import metadata
-from railgrip.scenario.places import Place, replaced
+from railgrip.scenario.places import replaced
 
 Table = dict[str, Values]
-SAME = 2e-5
-"""How far lowering by arrays may be from lowering one by one, relative: knots of Kalker's table."""
-TRIED = (0.3, 0.7)
-"""Quantiles at which a quantity is tried."""
+TRIED = (0.3, 0.7, *np.linspace(0.01, 0.99, 50))
+"""Quantiles at which a quantity is tried: the first two that the scenario allows."""
 MOST_GROUPS = 64
 """Groups whose lowered scenario is kept."""
 FASTEST = 1.0 - 1e-9
@@ -59,7 +59,7 @@ class Batches:
         self.campaign = campaign
         self.scenario = _for_the_fastest(campaign, scenario)
         self.drawing = Drawing(campaign, self.scenario)
-        self.collect: Collector | None = find_collector(campaign.collector)
+        self.collect: Collector | None = find_collector(campaign.collector, self.drawing.names)
         self._groups: dict[tuple[Any, ...], tuple[Scenario, Prepared]] = {}
         first = {column.variable.label: column for column in reversed(self._columns())}
         tried = {label: self._goes_together(column) for label, column in first.items()}
@@ -82,7 +82,7 @@ class Batches:
 
     def figures(self, draws: Draws, number: Values) -> Table:
         """Return status and figures of runs with these draws."""
-        possible = self._possible(draws, len(number))
+        possible = self._possible(draws, len(number), self._columns())
         whole: Table = {}
         for rows in self._grouped(draws, possible):
             part = self._run({name: values[rows] for name, values in draws.items()}, number[rows])
@@ -96,14 +96,13 @@ class Batches:
         whole["status"][~possible] = RunStatus.IMPOSSIBLE
         return whole
 
-    def _possible(self, draws: Draws, runs: int) -> Any:
+    def _possible(self, draws: Draws, runs: int, columns: Sequence[Column]) -> Any:
         """Return which runs keep the range that the scenario allows each quantity."""
         possible = np.ones(runs, dtype=bool)
-        for column in self._columns():
+        for column in columns:
             for place in column.places:
                 value = column.value(place, draws[column.name])
-                if value.dtype.kind in "fi":
-                    possible &= np.isfinite(value) & _in_range(self.drawing.scenario, place, value)
+                possible &= in_range(self.drawing.scenario, place, value)
         return possible
 
     def _grouped(self, draws: Draws, possible: Any) -> list[Any]:
@@ -159,30 +158,31 @@ class Batches:
         return found
 
     def _goes_together(self, column: Column) -> bool:
-        """Whether lowering an array gives what lowering its values gives."""
-        tried = column.variable.distribution.ppf(np.array(TRIED))
-        if tried.dtype.kind == "b":
-            tried = np.array([False, True])
         scenario = self.drawing.scenario
-        if tried.dtype.kind not in "fib":
-            for value in set(tried.tolist()):
-                _checked(replaced(scenario, column.places[0].steps, value))
-            return False
-        many, singles = scenario, [scenario, scenario]
-        for place in column.places:
-            value = column.value(place, tried)
-            many = replaced(many, place.steps, value)
-            singles = [
-                replaced(single, place.steps, one.item())
-                for single, one in zip(singles, value, strict=True)
-            ]
         prepared = self._groups.setdefault((), (scenario, prepare(scenario)))[1]
-        try:
-            plan, changes = vary(prepared.plan, scenario, many, np.arange(2))
-        except (TypeError, ValueError, AttributeError, RailgripError):
-            return False
-        wanted = [prepare(single).plan for single in singles]
-        return all(_same(plan, changes, run, one) for run, one in enumerate(wanted))
+        return goes_together(scenario, column, self._tried(column), prepared, _checked)
+
+    def _tried(self, column: Column) -> Values:
+        """Return two draws that the scenario allows, or all names; refuse where there is none."""
+        drawn = column.variable.distribution.ppf(np.array(TRIED))
+        if drawn.dtype.kind == "b":
+            return np.array([False, True])
+        if drawn.dtype.kind not in "fi":  # names: each of them must be one
+            return np.asarray(drawn)
+        possible = self._possible({column.name: drawn}, len(drawn), [column])
+        if not possible.any():
+            i = self.campaign.variable.index(column.variable)
+            place = column.places[0]
+            low, high = column.value(place, drawn).min(), column.value(place, drawn).max()
+            raise RailgripError(
+                Problem(
+                    f"variable[{i}].distribution",
+                    f"nothing that it draws is possible for {place.steps[-1]}",
+                    spoken(self.drawing.scenario, place, low, high),
+                    allowed(self.drawing.scenario, place),
+                )
+            )
+        return np.asarray(np.resize(drawn[possible], 2))
 
 
 def kept(scenario: Scenario, out: Outcome, names: tuple[str, ...]) -> Table:
@@ -217,56 +217,6 @@ def _checked(scenario: Scenario) -> Scenario:
         raise RailgripError(
             [Problem(p.where, f"as drawn, {p.what}", p.got, p.allowed) for p in error.problems]
         ) from None
-
-
-def _in_range(scenario: Scenario, place: Place, value: Any) -> Any:
-    owner: Any = scenario
-    steps: tuple[Any, ...] = place.steps[:-1]
-    for step in steps:
-        owner = owner[step] if isinstance(owner, (tuple, dict)) else getattr(owner, str(step))
-    fields: Any = getattr(type(owner), "model_fields", {})
-    field = fields.get(place.steps[-1])
-    kept = np.ones(len(value), dtype=bool)
-    compare = {
-        "gt": np.greater, "ge": np.greater_equal, "lt": np.less, "le": np.less_equal,
-    }  # fmt: skip
-    for bound in metadata(field) if field is not None else ():
-        for name, keeps in compare.items():
-            limit = getattr(bound, name, None)
-            if limit is not None:
-                kept &= keeps(value, limit)
-    return kept
-
-
-def _same(plan: Plan, changes: Overrides, run: int, wanted: Plan) -> bool:
-    """Whether a run of a batch has the plan that it would have alone.
-
-    What controllers are told of the train is left out: they know it as it should be.
-    """
-    numbers = plan.parameters.copy().ravel()
-    numbers[changes.target] = changes.value[run]
-    pairs = [
-        (numbers.reshape(plan.parameters.shape), wanted.parameters),
-        *zip(_own(plan.way._asdict(), run), _own(wanted.way._asdict(), 0), strict=True),
-        *zip(_own(plan.faults._asdict(), run), _own(wanted.faults._asdict(), 0), strict=True),
-        *zip(_own(plan.formation._asdict(), run), _own(wanted.formation._asdict(), 0),
-             strict=True),
-        *zip(plan.timing, wanted.timing, strict=True),
-        *zip(plan.creep_tables, wanted.creep_tables, strict=True),
-        (plan.controller_parameters, wanted.controller_parameters),
-    ]  # fmt: skip
-    return all(
-        np.shape(a) == np.shape(b) and np.allclose(a, b, rtol=SAME, atol=1e-12) for a, b in pairs
-    )
-
-
-def _own(parts: dict[str, Any], run: int) -> list[Any]:
-    per_run = ("conditions", "relative_spread", "vehicle_share", "happens")
-    return [
-        part[run if len(part) > 1 else 0] if name in per_run else part
-        for name, part in parts.items()
-        if name != "axle_setup"
-    ]
 
 
 def _plain(draws: Draws) -> Table:

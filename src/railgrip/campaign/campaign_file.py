@@ -4,110 +4,31 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
-import numpy as np
 from pydantic import Field, ValidationError, field_validator, model_validator
 
 from railgrip import data
-from railgrip.campaign.distribution_kinds import Empirical
-from railgrip.campaign.distributions import Distribution
+from railgrip.campaign.campaign_parts import (
+    FIGURES,
+    USUAL,
+    Correlation,
+    Design,
+    Sampling,
+    Until,
+    Variable,
+)
+from railgrip.campaign.completing import (
+    in_their_units,
+    problems_in_file,
+    until_in_its_unit,
+    with_samples,
+)
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.io.toml_file import load, read_toml
-from railgrip.report.metrics import SOURCES
 from railgrip.scenario import Scenario
-from railgrip.scenario.base import Model, Name, Text, refuse
-from railgrip.scenario.explain import problems_of
-from railgrip.scenario.files import is_path, read_text
-from railgrip.scenario.run import Parameter
-
-FROM_TRACES = {"adhesion_utilisation"}
-"""Figures that need the curves of a run, which a batch does not keep."""
-FIGURES = sorted(set(SOURCES) - FROM_TRACES)
-"""Figures of a run that a campaign can keep."""
-USUAL = (
-    "stopping_distance", "stopping_time", "mean_deceleration", "slide_activity", "greatest_slip",
-    "locked_time", "flat_length", "disc_temperature",
-)  # fmt: skip
-
-
-class Variable(Model):
-    """A quantity of the scenario that varies from run to run."""
-
-    quantity: Text = Field(
-        min_length=1, description="Key path in the scenario; [*] and * stand for every entry."
-    )
-    name: Name | None = Field(
-        default=None, description="Name of the column; absent: the path's last key."
-    )
-    scope: Literal["train", "vehicle", "bogie", "axle"] = Field(
-        default="train", description="One draw for all places, or one for each of these."
-    )
-    apply: Literal["value", "factor", "offset"] = Field(
-        default="value", description="The draw itself, or a factor on, or added to, the scenario's."
-    )
-    distribution: Distribution = Field(description="How it is spread.")
-
-    @property
-    def label(self) -> str:
-        """Name of its columns."""
-        return self.name or self.quantity.rpartition(".")[2].partition("[")[0]
-
-
-class Correlation(Model):
-    """Variables that go together: a Gaussian copula."""
-
-    variables: Annotated[tuple[Text, ...], Field(min_length=2, max_length=200)] = Field(
-        description="Names of variables of the same scope."
-    )
-    matrix: Annotated[tuple[tuple[float, ...], ...], Field(max_length=200)] = Field(
-        description="Correlations of their normal scores."
-    )
-
-    @model_validator(mode="after")
-    def _is_possible(self) -> Correlation:
-        n = len(self.variables)
-        if len(self.matrix) != n or any(len(row) != n for row in self.matrix):
-            refuse([Problem("matrix", "must have a row and a column for each variable", f"{n}")])
-        matrix = np.array(self.matrix)
-        problems = []
-        if not (np.allclose(matrix, matrix.T) and np.allclose(np.diag(matrix), 1.0)):
-            problems.append(Problem("matrix", "must be symmetric with ones on its diagonal"))
-        elif not np.linalg.eigvalsh(matrix)[0] > 1e-10:
-            least = np.linalg.eigvalsh(matrix)[0]
-            what = "is not positive definite: no variables can be correlated like this"
-            problems.append(Problem("matrix", what, f"least eigenvalue {least:.3g}",
-                                    cure="smaller correlations"))  # fmt: skip
-        refuse(problems)
-        return self
-
-
-class Sampling(Model):
-    """How the random space is filled."""
-
-    method: Literal["random", "sobol", "latin"] = Field(
-        default="random", description="Philox; scrambled Sobol points; a Latin hypercube."
-    )
-    seed: int = Field(default=1, ge=0, lt=2**63, description="Of every draw and random rail.")
-
-
-class Until(Model):
-    """A confidence width that ends the campaign."""
-
-    figure: Text = Field(default="stopping_distance", description="Column that is judged.")
-    statistic: Literal["mean", "quantile", "exceedance"] = Field(
-        default="mean", description="What of it."
-    )
-    level: float = Field(default=0.5, gt=0, lt=1, description="Of the quantile.")
-    threshold: Parameter = Field(default=0.0, description="That is exceeded, SI or with a unit.")
-    width: Parameter = Field(gt=0, description="Half the width of the 95 % interval, SI.")
-
-
-class Design(Model):
-    """One variant in a study: what is different in it."""
-
-    name: Name = Field(description="Name in tables and folders.")
-    changes: dict[Text, Any] = Field(default={}, alias="set", description="key = value.")
+from railgrip.scenario.base import Model, Text, refuse
+from railgrip.scenario.files import is_path
 
 
 class CampaignFile(Model):
@@ -150,9 +71,9 @@ class CampaignFile(Model):
 
     @model_validator(mode="after")
     def _fits_together(self) -> CampaignFile:
-        labels = [variable.label for variable in self.variable]
+        labels = [variable.label.casefold() for variable in self.variable]
         problems = [
-            Problem(f"variable[{i}].name", f"'{label}' is the name of another variable too")
+            Problem(f"variable[{i}].name", f"'{label}' is the name of another column too")
             for i, label in enumerate(labels)
             if label in labels[:i] or label in (*FIGURES, "run", "status")
         ]
@@ -217,11 +138,11 @@ def campaign_from(table: dict[str, Any], folder: Path) -> CampaignFile:
     try:
         found = CampaignFile.model_validate(table)
     except ValidationError as error:
-        raise RailgripError(problems_of(error, CampaignFile)) from None
-    return _resolved(found, folder)
+        raise RailgripError(problems_in_file(error, CampaignFile)) from None
+    return _resolved(found, table, folder)
 
 
-def _resolved(campaign: CampaignFile, folder: Path) -> CampaignFile:
+def _resolved(campaign: CampaignFile, table: dict[str, Any], folder: Path) -> CampaignFile:
     """Return the campaign with scenario, samples and the collector's place written out."""
     word = campaign.scenario
     if isinstance(word, str) and is_path(word):
@@ -229,35 +150,14 @@ def _resolved(campaign: CampaignFile, folder: Path) -> CampaignFile:
     if not isinstance(word, (str, Path, dict)):
         raise RailgripError(Problem("scenario", "must be a name, a file or a table"))
     scenario = load(word).model_dump(mode="json", by_alias=True, exclude_unset=True)
-    variables = []
-    for i, variable in enumerate(campaign.variable):
-        where = f"variable[{i}].distribution"
-        if isinstance(variable.distribution, Empirical) and variable.distribution.file:
-            read = read_sample(variable.distribution, folder, where)
-            variable = variable.model_copy(update={"distribution": read})
-        variables.append(variable)
+    campaign = campaign.model_copy(update={"scenario": scenario})
+    variables = in_their_units(campaign.base(), campaign.variable, table.get("variable", ()))
     collector = campaign.collector
     file, colon, function = collector.rpartition(":")
     if colon and file.endswith(".py"):
         collector = f"{os.path.abspath(folder / file)}:{function}"
-    changes = {"scenario": scenario, "variable": tuple(variables), "collector": collector}
+    until = until_in_its_unit(campaign.until, table.get("until"))
+    changes = {
+        "variable": with_samples(variables, folder), "collector": collector, "until": until,
+    }  # fmt: skip
     return campaign.model_copy(update=changes)
-
-
-def read_sample(distribution: Empirical, folder: Path, where: str) -> Empirical:
-    """Return the distribution with the values of its file, whose name begins in a folder."""
-    lines = [line for line in read_text(folder / distribution.file).splitlines() if line.strip()]
-    rows = [[cell.strip() for cell in line.split(",")] for line in lines if line[:1] != "#"]
-    column = 0
-    if distribution.column:
-        if not rows or distribution.column not in rows[0]:
-            heads = rows[0] if rows else []
-            problem = unknown_name(f"{where}.column", "column", distribution.column, heads)
-            raise RailgripError(problem)
-        column, rows = rows[0].index(distribution.column), rows[1:]
-    try:
-        values = tuple(float(row[column]) for row in rows)
-        return Empirical(values=values)
-    except (ValueError, IndexError, ValidationError):
-        what = f"'{distribution.file}' does not hold two or more numbers, one a line"
-        raise RailgripError(Problem(f"{where}.file", what)) from None

@@ -6,6 +6,7 @@ same bytes wherever it was made.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager
@@ -15,6 +16,7 @@ from typing import Any
 import railgrip
 from railgrip.campaign.batch import Batches, Table
 from railgrip.campaign.campaign_file import CampaignFile
+from railgrip.campaign.collecting import mark_of
 from railgrip.core.errors import Problem, RailgripError
 
 PATIENCE = 10
@@ -26,12 +28,16 @@ def _batches(campaign: str) -> Batches:
     return Batches(CampaignFile.model_validate_json(campaign))
 
 
-def remote_table(campaign: str, version: str, first: int, last: int) -> Table:
+def remote_table(campaign: str, version: str, mark: str, first: int, last: int) -> Table:
     """Return the table of a chunk; runs on a worker."""
     if version != railgrip.__version__:
         what = f"a worker has railgrip {railgrip.__version__}, the campaign {version}"
         raise RailgripError(Problem("--cluster", what, cure="install the same version everywhere"))
-    return _batches(campaign).table(first, last)
+    batches = _batches(campaign)
+    if mark != mark_of(batches.campaign.collector):
+        what = "a worker has another collector under this name than the campaign"
+        raise RailgripError(Problem("--cluster", what, cure="the same file on every machine"))
+    return batches.table(first, last)
 
 
 @contextmanager
@@ -46,8 +52,13 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
     Raises
     ------
     RailgripError
-        ``--cluster: no Dask scheduler answers at tcp://…``, ``… has no workers``.
+        ``--cluster: is no address; …``, ``… no Dask scheduler answers at tcp://…``, ``… has no
+        workers``.
     """
+    if not re.search(r"://.|:\d+$", address):
+        raise RailgripError(
+            Problem("--cluster", "is no address", f"'{address}'", cure="tcp://host:8786")
+        )
     distributed = _distributed()
     try:
         client = distributed.Client(address, timeout=PATIENCE, set_as_default=False)
@@ -70,6 +81,9 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
 
 def failed(error: BaseException, first: int, seed: int) -> RailgripError:
     """Return what to say when a chunk cannot be made, however often it is tried."""
+    if "Cancelled" in type(error).__name__:  # Dask's own kind, or that of concurrent.futures
+        what = "the scheduler went away; what is written stays"
+        return RailgripError(Problem("--cluster", what, cure="run it again: it goes on"))
     what = f"the chunk from run {first} (seed {seed}) failed: {type(error).__name__}: {error}"
     return RailgripError(
         Problem("--cluster", what[:400], cure=f"railgrip replay CAMPAIGN {first}, on this machine")

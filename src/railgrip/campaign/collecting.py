@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib.util
-from collections.abc import Callable, Mapping
+import inspect
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,11 +20,12 @@ from railgrip.scenario import Scenario
 Collector = Callable[[Scenario, Outcome, int], dict[str, Any]]
 
 
-def find_collector(word: str) -> Collector | None:
+def find_collector(word: str, drawn: Collection[str] = ()) -> Collector | None:
     """Return the collector that a name or ``file.py:function`` means, none for an empty word.
 
     A collector is called with a dictionary of arrays, (run,) or (run, axle), named as in the
-    glossary, and returns a dictionary of arrays (run,).
+    glossary, and returns a dictionary of arrays (run,) under names that are neither those of
+    figures nor of columns that are `drawn`.
 
     Raises
     ------
@@ -33,19 +36,16 @@ def find_collector(word: str) -> Collector | None:
     if not word:
         return None
     file, colon, name = word.rpartition(":")
-    if not colon:
-        function = registry.resolve("railgrip.collectors", word, "collector")
-    else:
-        function = _from_file(Path(file), name)
+    function = _from_file(Path(file), name) if colon else _installed(word)
 
     def collect(scenario: Scenario, out: Outcome, runs: int) -> dict[str, Any]:
         figures = figures_of(scenario, out)
-        taken = {"run", *figures}
+        taken = {"run", *drawn, *figures}
         try:
             found = function(figures)
         except Exception as error:
             what = f"'{word}' failed with {type(error).__name__}: {error}"
-            cure = f"figures there are: {', '.join(sorted(taken - {'run'}))}"
+            cure = f"figures there are: {', '.join(sorted(figures))}"
             is_missing = isinstance(error, KeyError)
             raise RailgripError(
                 Problem("collector", what, cure=cure if is_missing else "")
@@ -55,16 +55,32 @@ def find_collector(word: str) -> Collector | None:
     return collect
 
 
+def mark_of(word: str) -> str:
+    """Return what tells a collector from another one of the same name: SHA-256 of its file.
+
+    What that file imports in its turn is not looked at.
+    """
+    if not word:
+        return ""
+    file, colon, _ = word.rpartition(":")
+    source = Path(file if colon else inspect.getsourcefile(_installed(word)) or "")
+    return hashlib.sha256(source.read_bytes()).hexdigest() if source.is_file() else ""
+
+
+def _installed(word: str) -> Any:
+    return registry.resolve("railgrip.collectors", word, "collector")
+
+
 def _checked(word: str, found: Any, runs: int, taken: set[str]) -> dict[str, Any]:
     """Return what a collector gave as columns; refuse what is not one number for each run."""
     if not isinstance(found, Mapping):
         what = f"'{word}' must return a dictionary of arrays"
         raise RailgripError(Problem("collector", what, got=type(found).__name__))
-    columns = {}
+    columns: dict[str, Any] = {}
     for key, values in found.items():
         name = str(key)
-        if name in taken:
-            what = f"'{word}' returns '{name}', which every campaign has"
+        if name.casefold() in {one.casefold() for one in (*taken, *columns)}:
+            what = f"'{word}' returns '{name}', which the campaign has already"
             cure = "give it another name; keep = [...] keeps figures as they are"
             raise RailgripError(Problem("collector", what, cure=cure))
         try:

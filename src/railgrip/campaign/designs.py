@@ -7,11 +7,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from railgrip.campaign.campaign_file import CampaignFile, Design
-from railgrip.campaign.statistics import Estimate, difference, mean, quantile
+from railgrip.campaign.campaign_file import CampaignFile
+from railgrip.campaign.campaign_parts import Design
+from railgrip.campaign.statistics import Estimate, difference, mean, quantile, quantile_difference
 from railgrip.campaign.store import Store
 
 ALONE = Design(name="all")
+HIGH = 0.99
+"""Quantile that designs are compared at besides their means."""
 
 
 class Cell(NamedTuple):
@@ -36,6 +39,8 @@ class Compared(NamedTuple):
         Mean and 99 % quantile, SI.
     over_first : Estimate or None
         Mean difference from the first design, over the same draws.
+    high_over_first : Estimate or None
+        Difference of the 99 % quantiles, with the paired bootstrap's interval.
     """
 
     design: str
@@ -44,6 +49,7 @@ class Compared(NamedTuple):
     mean: Estimate
     high: Estimate
     over_first: Estimate | None
+    high_over_first: Estimate | None
 
 
 def cells(campaign: CampaignFile, folder: Path) -> list[Cell]:
@@ -74,10 +80,13 @@ def compare(done: list[tuple[Cell, Store]], figure: str) -> list[Compared]:
         values = np.asarray(store.read(["run", figure])[figure], dtype=float)
         base = first.setdefault(cell.condition, values)
         shared = min(len(base), len(values))
-        over = None if base is values else difference(base[:shared], values[:shared])
+        over = high_over = None
+        if base is not values:
+            over = difference(base[:shared], values[:shared])
+            high_over = quantile_difference(base[:shared], values[:shared], HIGH)
         finite = values[np.isfinite(values)]
         rows.append(
             Compared(cell.design, cell.condition, len(finite), mean(finite),
-                     quantile(finite, 0.99), over)
+                     quantile(finite, HIGH), over, high_over)
         )  # fmt: skip
     return rows

@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from railgrip.campaign.campaign_file import CampaignFile, Variable
+from railgrip.campaign.campaign_file import CampaignFile
+from railgrip.campaign.campaign_parts import Variable
 from railgrip.campaign.distribution_kinds import Values
 from railgrip.campaign.sampling import uniform_numbers
 from railgrip.core.errors import Problem, RailgripError

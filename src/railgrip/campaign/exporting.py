@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from railgrip.campaign.store import MANIFEST, Store, connect, open_campaign, quoted
+from railgrip.campaign.manifest import MANIFEST, open_campaign
+from railgrip.campaign.parquet import connect, listed, quoted, reason
+from railgrip.campaign.store import Store
 from railgrip.core.atomic import write_aside
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.core.signals import SIGNALS
@@ -15,21 +19,43 @@ FORMATS = ("csv", "parquet", "nc")
 
 
 def export(store: Store, target: Path) -> Path:
-    """Write all runs into one file, as its ending says: .csv, .parquet or .nc (NetCDF-4)."""
+    """Write all runs into one file, as its ending says: .csv, .parquet or .nc (NetCDF-4).
+
+    Raises
+    ------
+    RailgripError
+        ``runs.xls: kind of file 'xls' unknown; …``, ``… holds no results yet``, ``… is damaged``,
+        ``runs.csv: cannot be written; got No space left on device``
+    """
     kind = target.suffix.removeprefix(".").lower()
     if kind not in FORMATS:
         raise RailgripError(unknown_name(str(target), "kind of file", kind, FORMATS))
     if not store.chunks_done():
         raise RailgripError(Problem(str(store.folder), "holds no results yet"))
-    with write_aside(target) as aside:
+    store.refuse_damaged()
+    with _written(target) as aside:
         if kind == "nc":
             _netcdf(store, aside)
         else:
-            query = f"SELECT * FROM read_parquet({store.part_list()}) ORDER BY run"
+            query = f"SELECT * FROM read_parquet({listed(store.parts())}) ORDER BY run"
             how = "FORMAT csv, HEADER" if kind == "csv" else "FORMAT parquet"
             with connect() as connection:
                 connection.execute(f"COPY ({query}) TO '{quoted(aside)}' ({how})")
     return target
+
+
+@contextmanager
+def _written(target: Path) -> Iterator[Path]:
+    """Give a file aside that becomes the target; say so where it cannot be written."""
+    try:
+        with write_aside(target) as aside:
+            yield aside
+    except RailgripError:
+        raise
+    except Exception as error:  # DuckDB raises its own kinds, of which OSError is none
+        raise RailgripError(
+            Problem(str(target), "cannot be written", reason(error), cure="another place")
+        ) from None
 
 
 def _netcdf(store: Store, path: Path) -> None:
@@ -46,32 +72,43 @@ def _netcdf(store: Store, path: Path) -> None:
         variables[name] = (("run",), stored, attrs)
     about: dict[str, Any] = {"title": store.campaign.title, "seed": store.campaign.sampling.seed}
     data = xr.Dataset(variables, coords={"run": run}, attrs=about)
-    data.to_netcdf(path, engine="h5netcdf")
+    # made in memory: HDF5 can crash while it closes a file on a full disk
+    path.write_bytes(data.to_netcdf(None, engine="h5netcdf"))
 
 
-def catalogue(folder: Path) -> tuple[Path, int]:
-    """Build the DuckDB catalogue of all campaigns below a folder anew; return it and how many.
+def catalogue(folder: Path) -> tuple[Path, list[Store], list[Problem]]:
+    """Build the DuckDB catalogue of all campaigns below a folder anew.
 
     Table ``campaign`` has a row for each; view ``run`` shows all runs of all campaigns, read from
     their parts. Nothing is lost with it: the parts and manifests are the truth.
+
+    Returns
+    -------
+    path : Path
+        The catalogue.
+    stores : list of Store
+        What is in it.
+    left_out : list of Problem
+        Why others are not: damaged, or of another version.
     """
     target = folder / "campaigns.duckdb"
-    stores = []
+    stores: list[Store] = []
+    left_out: list[Problem] = []
     for manifest in sorted(folder.rglob(MANIFEST)):
         try:
-            stores.append(open_campaign(manifest.parent))
-        except RailgripError:
-            continue
-    with write_aside(target) as aside:
+            store = open_campaign(manifest.parent)
+            store.refuse_damaged()
+            stores.append(store)
+        except RailgripError as error:
+            left_out += error.problems
+    with _written(target) as aside:
         aside.unlink()
         _fill(aside, stores)
-    return target, len(stores)
+    return target, stores, left_out
 
 
 def _fill(path: Path, stores: list[Store]) -> None:
-    import duckdb
-
-    with duckdb.connect(str(path)) as connection:
+    with connect(path) as connection:
         connection.execute(
             "CREATE TABLE campaign (folder TEXT, title TEXT, seed UBIGINT, method TEXT, "
             "runs_asked BIGINT, parts BIGINT, ended TEXT)"
@@ -82,11 +119,12 @@ def _fill(path: Path, stores: list[Store]) -> None:
                    campaign.sampling.method, campaign.runs, len(store.chunks_done()),
                    str(store.ended().get("why", ""))]  # fmt: skip
             connection.execute("INSERT INTO campaign VALUES (?, ?, ?, ?, ?, ?, ?)", row)
-        full = [store for store in stores if store.chunks_done()]
+        # a pattern, not a list: the view also shows the runs that are written later
         selects = [
-            f"SELECT '{quoted(s.folder.resolve())}' AS folder, * "
-            f"FROM read_parquet('{(s.folder / 'parts').resolve()!s}/part-*.parquet')"
-            for s in full
+            f"SELECT '{quoted(store.folder.resolve())}' AS folder, * "
+            f"FROM read_parquet('{quoted(store.part(0).parent)}/part-*[0-9].parquet')"
+            for store in stores
+            if store.chunks_done()
         ]
         if selects:
             connection.execute(f"CREATE VIEW run AS {' UNION ALL BY NAME '.join(selects)}")

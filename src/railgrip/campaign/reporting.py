@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -10,9 +11,10 @@ import numpy as np
 
 from railgrip.campaign.batch import Batches
 from railgrip.campaign.designs import Compared
+from railgrip.campaign.manifest import MANIFEST
 from railgrip.campaign.sensitivity import tornado
 from railgrip.campaign.statistics import Estimate, exceedance, mean, quantile
-from railgrip.campaign.store import MANIFEST, Store
+from railgrip.campaign.store import Store
 from railgrip.core.atomic import write_aside
 from railgrip.core.errors import RailgripError
 from railgrip.core.status import ENDED_WELL, RunStatus
@@ -51,6 +53,14 @@ def states(status: Any) -> str:
     )
 
 
+def _is_drawn(store: Store, column: str) -> bool:
+    """Whether a column holds draws: a variable's label, with the vehicle, bogie or axle."""
+    return any(
+        re.fullmatch(rf"{re.escape(variable.label)}(_V\d+(_B\d+(_A\d+)?)?)?", column)
+        for variable in store.campaign.variable
+    )
+
+
 def summary(store: Store) -> tuple[str, list[list[str]]]:
     """Return how the runs ended, and a row of statistics for each kept figure.
 
@@ -59,10 +69,8 @@ def summary(store: Store) -> tuple[str, list[list[str]]]:
     table = store.read()
     well = np.isin(table["status"], ENDED_WELL)
     rows = []
-    drawn = {variable.label for variable in store.campaign.variable}
     for figure, values in table.items():
-        own = figure not in SOURCES and not any(figure.startswith(label) for label in drawn)
-        if figure in ("run", "status") or not (figure in SOURCES or own):
+        if figure in ("run", "status") or _is_drawn(store, figure):
             continue
         finite = np.asarray(values, dtype=float)[well]
         finite = finite[np.isfinite(finite)]
@@ -86,18 +94,21 @@ def write_page(store: Store, figure: str, with_tornado: bool = True) -> Path:
     finite = values[np.isfinite(values)]
     label, how = how_shown(figure)
     axis = f"{label}, {how.unit}" if how.unit else label
-    thresholds = np.linspace(finite.min(), finite.max(), 200)
-    band = exceedance(finite, thresholds)
     sections = [
         Section("How the runs ended", f"{len(values)} runs: {ended}."),
         Section("Figures", "Mean and quantiles with 95 % confidence intervals.", COLUMNS, rows),
-        Section(
-            f"{label}: exceedance",
-            figure=plots.exceedance(finite, band, thresholds * how.factor, axis),
-        ),
-        Section(f"{label}: distribution", figure=plots.histogram(finite * how.factor, axis)),
     ]
-    if with_tornado and store.campaign.variable:
+    if len(finite):
+        thresholds = np.linspace(finite.min(), finite.max(), 200)
+        band = exceedance(finite, thresholds)
+        picture = plots.exceedance(finite, band, thresholds * how.factor, axis)
+        sections += [
+            Section(f"{label}: exceedance", figure=picture),
+            Section(f"{label}: distribution", figure=plots.histogram(finite * how.factor, axis)),
+        ]
+    else:
+        sections.append(Section(label, "No run has this figure."))
+    if with_tornado and store.campaign.variable and len(finite):
         try:
             middle, swings = tornado(Batches(store.campaign), figure)
             picture = plots.tornado(middle, swings, how, axis)
@@ -130,7 +141,10 @@ def compared_rows(rows: list[Compared], figure: str) -> list[list[str]]:
             f"{row.runs}",
             said(row.mean, how),
             said(row.high, how),
-            "" if row.over_first is None else said(row.over_first, how),
+            *(
+                "" if one is None else said(one, how)
+                for one in (row.over_first, row.high_over_first)
+            ),
         ]
         for row in rows
     ]
@@ -141,7 +155,10 @@ def write_comparison(rows: list[Compared], figure: str, title: str, folder: Path
     from railgrip.report.campaign_page import Section, campaign_html
 
     label, _ = how_shown(figure)
-    text = "All designs are drawn alike; the last column is the mean difference run by run."
+    text = (
+        "All designs are drawn alike. Over the first design: the mean difference run by run, "
+        "and the difference of the 99 % quantiles (paired bootstrap)."
+    )
     table = Section(label, text, STUDY_COLUMNS, compared_rows(rows, figure))
     with write_aside(folder / "comparison.html") as aside:
         page = campaign_html(title or folder.name, f"{len(rows)} campaigns.", [table])
@@ -149,4 +166,11 @@ def write_comparison(rows: list[Compared], figure: str, title: str, folder: Path
     return folder / "comparison.html"
 
 
-STUDY_COLUMNS = ("condition, design", "runs", "mean", "99 %", "over the first design")
+STUDY_COLUMNS = (
+    "condition, design",
+    "runs",
+    "mean",
+    "99 %",
+    "mean over the first",
+    "99 % over the first",
+)

@@ -14,9 +14,11 @@ import railgrip
 from railgrip.campaign.batch import Batches
 from railgrip.campaign.campaign_file import CampaignFile
 from railgrip.campaign.cluster import cluster, failed, remote_table
+from railgrip.campaign.collecting import mark_of
+from railgrip.campaign.manifest import claim
 from railgrip.campaign.statistics import Estimate, judged
-from railgrip.campaign.store import Store, claim
-from railgrip.core.errors import RailgripError, unknown_name
+from railgrip.campaign.store import Store
+from railgrip.core.errors import Problem, RailgripError, unknown_name
 
 Handing = Callable[[Executor, int, int, int], Future[Any]]
 """Hands a chunk (number, first run, last run) to an executor."""
@@ -77,8 +79,10 @@ def run_campaign(
     Raises
     ------
     RailgripError
-        Of `store.claim` and `Batches`.
+        Of `manifest.claim` and `Batches`.
     """
+    if threads < 1:
+        raise RailgripError(Problem("--threads", "must be at least 1", got=f"{threads}"))
     _refuse_unknown_figure(campaign)
     batches = Batches(campaign)
     store = claim(folder, campaign)
@@ -91,10 +95,10 @@ def run_campaign(
             session.go(pool, work, 2 * threads if threads > 1 else 1, seconds)
     else:
         with cluster(address) as (executor, workers):
-            text = campaign.model_dump_json(by_alias=True)
+            text, mark = campaign.model_dump_json(by_alias=True), mark_of(campaign.collector)
 
             def away(pool: Executor, chunk: int, first: int, last: int) -> Future[Any]:
-                return pool.submit(remote_table, text, railgrip.__version__, first, last)
+                return pool.submit(remote_table, text, railgrip.__version__, mark, first, last)
 
             session.go(executor, away, 2 * workers, seconds)
     return store
@@ -129,7 +133,8 @@ class _Session:
             return True
         if whole < self.chunks:
             return False
-        self.store.end(self.campaign.runs, "runs")
+        if int(self.store.ended().get("runs", 0)) < self.campaign.runs:
+            self.store.end(self.campaign.runs, "runs")
         return True
 
     def _unbroken(self) -> int:
@@ -180,6 +185,7 @@ class _Session:
 
     def go(self, pool: Executor, hand: Handing, ahead: int, seconds: Any) -> None:
         """Work until the end, or until the time is up."""
+        self.store.go_on()
         waiting = self._todo()
         running: dict[Future[Any], int] = {}
         try:

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from railgrip.campaign.train_measurements import Array, Measurements, check
 from railgrip.control.adhesion_window import observe_friction
 from railgrip.control.conventional_state import DYNAMIC, SPEED
 from railgrip.control.state_layout import axle_base, state_size
@@ -20,8 +21,6 @@ from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.simulate import nominal_numbers
 from railgrip.scenario import Scenario
 
-Array = NDArray[np.float64]
-
 WINDOW = 0.1
 """Over so long the adhesion is averaged, s, as in the controllers."""
 SLOPE = 0.5
@@ -29,32 +28,9 @@ SLOPE = 0.5
 COMMON, EACH = 0.15, 0.08
 """What is known before: pads scatter by so much together, and from vehicle to vehicle (relative
 standard deviations; 3 to 5 % and 5 to 8 % are usual, unverified: these leave room)."""
-
 DRIFT, DRIFT_STRETCHES = 0.06, 6.0
 """Friction drifts with speed, heat and the rigging's hysteresis: by so much (relative standard
 deviation), correlated over so many stretches."""
-
-
-class Measurements(NamedTuple):
-    """What was measured on board.
-
-    Attributes
-    ----------
-    time : ndarray (time)
-        Evenly spaced, [s].
-    wheel_speed, brake_cylinder_pressure, dynamic_force : ndarray (axle, time)
-        Speed at the tread [m/s]; gauge pressure [Pa]; motor force at the tread, braking
-        positive [N].
-    train_speed, deceleration : ndarray (time)
-        Of the train, as its reference speed and its acceleration sensor tell, [m/s], [m/s²].
-    """
-
-    time: Array
-    wheel_speed: Array
-    brake_cylinder_pressure: Array
-    dynamic_force: Array
-    train_speed: Array
-    deceleration: Array
 
 
 class TrainObservation(NamedTuple):
@@ -118,6 +94,7 @@ def observe(
 
     Examples
     --------
+    >>> from railgrip.campaign.train_measurements import measurements_of
     >>> import railgrip as rg
     >>> scenario = rg.load("dry_emergency")
     >>> found = observe(scenario, measurements_of(rg.simulate(scenario)))
@@ -126,7 +103,7 @@ def observe(
     """
     numbers = nominal_numbers(scenario)
     for measured in stops:
-        _check(measured, scenario.train.n_axles)
+        check(measured, scenario.train.n_axles)
     levers = [_lever(numbers, measured) for measured in stops]
     balances = [
         _balance(scenario, measured, numbers, lever)
@@ -150,40 +127,6 @@ def observe(
         np.abs(force) / load[:, None],
         measured.wheel_speed < 0.97 * speed,
     )
-
-
-def measurements_of(result: Any, run: int = 0) -> Measurements:
-    """Return what a simulated train measures: sensors for speeds, the plant for the rest.
-
-    Parameters
-    ----------
-    result : Result
-        With curves.
-    run : int
-        Which run.
-    """
-    data = result.data.isel(run=run)
-    known = np.isfinite(data["train_speed"].values)
-
-    def of(name: str) -> Array:
-        return np.asarray(data[name].values[..., known], dtype=np.float64)
-
-    return Measurements(
-        np.asarray(data["time"].values[known], dtype=np.float64), of("measured_speed"),
-        of("brake_cylinder_pressure"), of("dynamic_force"), of("reference_speed"),
-        -of("acceleration"),
-    )  # fmt: skip
-
-
-def _check(measured: Measurements, n_axles: int) -> None:
-    steps = np.diff(measured.time)
-    if len(steps) < 10 or steps.max() - steps.min() > 1e-3 * steps.mean():
-        raise RailgripError(Problem("time", "must be evenly spaced, at least ten samples"))
-    found = len(measured.wheel_speed)
-    if found != n_axles:
-        raise RailgripError(
-            Problem("wheel_speed", f"has {found} axles", allowed=f"{n_axles}, as the train")
-        )
 
 
 def _lever(numbers: dict[str, Any], measured: Measurements) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import tempfile
 from collections.abc import Iterator
@@ -9,6 +10,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from railgrip.core.errors import Problem, RailgripError
+
+_NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS}
+"""Failures that only the writing itself can have, whoever writes within the block."""
 
 
 @contextmanager
@@ -28,7 +32,8 @@ def write_aside(path: str | os.PathLike[str]) -> Iterator[Path]:
     Raises
     ------
     RailgripError
-        ``out/stop.csv: cannot be written; got: No such file or directory``
+        ``out/stop.csv: cannot be written; got: No such file or directory``, ``… No space left on
+        device``
 
     Notes
     -----
@@ -47,7 +52,12 @@ def write_aside(path: str | os.PathLike[str]) -> Iterator[Path]:
     target = Path(path)
     aside = _beside(target)
     try:
-        yield aside
+        try:
+            yield aside
+        except OSError as error:
+            if error.errno in _NO_ROOM:
+                raise _unwritable(target, OSError(error.errno, os.strerror(error.errno))) from None
+            raise
         try:
             aside.replace(target)
         except OSError as error:

@@ -53,9 +53,11 @@ def save(result: Any, path: str | os.PathLike[str]) -> Path:
     target = Path(path)
     plain = data.assign_attrs({name: _attribute(value) for name, value in data.attrs.items()})
     plain.attrs = {name: value for name, value in plain.attrs.items() if value is not None}
+    # made in memory: HDF5 can crash while it closes a file on a full disk
+    made = plain.to_netcdf(None, engine="h5netcdf", encoding=_encodings(data))
     with write_aside(target) as aside:
         try:
-            plain.to_netcdf(aside, engine="h5netcdf", encoding=_encodings(data))
+            aside.write_bytes(made)
         except OSError as error:
             reason = error.strerror or str(error)
             raise RailgripError(Problem(str(target), "cannot be written", got=reason)) from None

@@ -36,7 +36,6 @@ _WORDS = {
     "string_too_short": "must not be empty",
     "string_too_long": "is too long",
     "string_pattern_mismatch": "must be a name of letters, digits, '_', '-' and '.'",
-    "union_tag_not_found": "has no 'law'",
 }
 
 
@@ -81,6 +80,10 @@ def _explained(detail: ErrorDetails, model: type[BaseModel], at: str) -> list[Pr
         return [_unknown_word(where, detail, context)]
     if kind in ("greater_than", "greater_than_equal", "less_than", "less_than_equal"):
         return [_out_of_range(where, detail, field)]
+    if kind == "too_short" and context["min_length"] > 1:
+        return [Problem(where, f"must have at least {context['min_length']} entries", got)]
+    if kind == "union_tag_not_found":
+        return [Problem(where, f"has no {context['discriminator']}", got)]
     if kind == "missing":
         return [Problem(where, _WORDS[kind])]
     if kind == "too_long":
@@ -142,7 +145,7 @@ def _unknown_word(where: str, detail: ErrorDetails, context: dict[str, Any]) -> 
     known = re.findall(r"'([^']+)'", context.get("expected") or context.get("expected_tags", ""))
     value = detail["input"]
     if detail["type"] == "union_tag_invalid":
-        where, value = joined(where, "law"), context["tag"]
+        where, value = joined(where, context["discriminator"].strip("'")), context["tag"]
     if not isinstance(value, str):
         return Problem(where, "must be a name", shown(value), ", ".join(known))
     return unknown_name(where, where.rpartition(".")[2], printable(value), known)

@@ -107,6 +107,27 @@ def test_an_impossible_draw_is_kept_as_such() -> None:
     assert np.isfinite(table["stopping_distance"][braked]).all()
 
 
+def test_texts_mean_what_they_mean_in_the_scenario() -> None:
+    """A temperature in kelvin, a deviation of some degrees, a percentage that is held as one."""
+    kelvin = {"kind": "normal", "mean": "293.15 K", "deviation": "5 K"}
+    ambient = {"quantity": "run.ambient", "name": "ambient", "distribution": kelvin}
+    inner = {"kind": "uniform", "low": "60 km/h", "high": "20 m/s"}
+    cut = {**SPEED, "distribution": {"kind": "truncated", "of": inner, "low": "65 km/h"}}
+    normal, truncated = (one.distribution for one in campaign(ambient, cut).variable)
+    assert (normal.mean, normal.deviation) == pytest.approx((20.0, 5.0))
+    assert truncated.ppf(np.array([1e-12, 1.0])) == pytest.approx([65 / 3.6, 20.0])
+
+
+def test_a_sample_may_stand_in_a_mixture(tmp_path) -> None:
+    (tmp_path / "speeds.csv").write_text("day,speed\n1,20\n2,21\n3,22\n", encoding="utf-8")
+    sample = {"kind": "empirical", "file": "speeds.csv", "column": "speed"}
+    parts = [{"weight": 1, "of": sample}, {"weight": 1, "of": bell(0.1)}]
+    mixed = {**SPEED, "distribution": {"kind": "mixture", "parts": parts}}
+    found = campaign(mixed, folder=tmp_path).variable[0].distribution
+    assert found.parts[0].of.values == (20.0, 21.0, 22.0)
+    assert 20 < found.ppf(np.array([0.8]))[0] < 22
+
+
 def test_correlated_draws_are_correlated() -> None:
     other = {**SPEED, "distribution": {"kind": "lognormal", "mean": 27.0, "deviation": 0.5}}
     together = {"variables": ["mass", "speed"], "matrix": [[1, 0.8], [0.8, 1]]}
@@ -138,6 +159,23 @@ def test_own_figures(tmp_path) -> None:
         ({**ISOLATED, "distribution": bell(1)}, "true or false"),
         ({**RAIL, "apply": "factor"}, "no number"),
         ({**SPEED, "quantity": "rail.random.mean"}, "does not have"),
+        (
+            {
+                **RAIL,
+                "distribution": {
+                    "kind": "discrete",
+                    "values": ["dry", "low", "lowe"],
+                    "weights": [45, 45, 10],
+                },
+            },
+            "as drawn, .*'lowe' unknown.*did you mean 'low'",
+        ),
+        (
+            {**SPEED, "distribution": {"kind": "uniform", "low": "-72 km/h", "high": "-36 km/h"}},
+            r"variable\[0\].distribution: nothing that it draws is possible for speed; "
+            r"got -71.* km/h to -36.* km/h; allowed: at least 0 km/h and at most 600 km/h",
+        ),
+        ({**SPEED, "distribution": {"kind": "normal", "mean": 1e9, "deviation": 1}}, "possible"),
     ],
 )
 def test_quantities_that_are_none_are_refused(variable, sentence) -> None:
@@ -148,7 +186,33 @@ def test_quantities_that_are_none_are_refused(variable, sentence) -> None:
 @pytest.mark.parametrize(
     ("more", "sentence"),
     [
-        ({"variable": [SPEED, SPEED]}, "name of another variable"),
+        ({"variable": [SPEED, SPEED]}, "name of another column"),
+        ({"variable": [SPEED, {**MASS, "name": "Speed"}]}, "name of another column"),
+        ({"variable": [{**SPEED, "distribution": {"mean": 20}}]}, r"distribution: has no 'kind'"),
+        (
+            {"variable": [{**SPEED, "distribution": {"kind": "gauss"}}]},
+            r"distribution\.kind: kind 'gauss' unknown; known: discrete",
+        ),
+        (
+            {"variable": [{**SPEED, "distribution": {**bell(-2)}}]},
+            r"variable\[0\]\.distribution\.deviation: must be more than 0; got -2",
+        ),
+        (
+            {"variable": [{**SPEED, "distribution": {**bell(1), "mean": "80 kg"}}]},
+            r"distribution\.mean: has a unit that does not fit; got '80 kg'.*in m/s",
+        ),
+        (
+            {"until": {"width": "2 s"}},
+            r"until\.width: has a unit that does not fit; got '2 s'; allowed: a number in m",
+        ),
+        (
+            {"until": {"statistic": "exceedance", "threshold": "5 s", "width": "2 %"}},
+            r"until\.threshold: has a unit that does not fit; got '5 s'",
+        ),
+        (
+            {"variable": [{**SPEED, "distribution": {"kind": "mixture", "parts": []}}]},
+            r"parts: must have at least 2 entries; got a list of 0",
+        ),
         ({"keep": ["stoping_distance"]}, "did you mean 'stopping_distance'"),
         (
             {"correlation": [{"variables": ["speed", "mass"], "matrix": [[1, 1.2], [1.2, 1]]}]},

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from railgrip.campaign.programme import measures
+from railgrip.campaign.programme import answer_measures, measures, slide_measures
 from railgrip.campaign.programme.measures import Measured
 from railgrip.core.constants import GRAVITY
 from railgrip.report.view import View
@@ -84,10 +84,10 @@ def test_initial_adhesion_is_that_of_the_first_second_of_slide() -> None:
     wheel[:3] = np.where(slides, 0.9 * train, train)
     used[:3] = np.where(slides, 0.06, 0.1)
     used[:3, TIME >= 3.0] = 0.2
-    assert measures.initial_adhesion(measured(wheel_speed=wheel, adhesion_used=used)) == (
+    assert slide_measures.initial_adhesion(measured(wheel_speed=wheel, adhesion_used=used)) == (
         pytest.approx(0.06)
     )
-    assert np.isnan(measures.initial_adhesion(measured()))
+    assert np.isnan(slide_measures.initial_adhesion(measured()))
 
 
 def test_deep_slip_is_the_longest_unbroken_time_of_a_sound_axle() -> None:
@@ -96,7 +96,7 @@ def test_deep_slip_is_the_longest_unbroken_time_of_a_sound_axle() -> None:
     wheel = np.ones((AXLES, 1)) * train
     wheel[4] = np.where(deep, 0.4 * train, train)
     wheel[1] = 0.0  # the axle with the fault does not count
-    assert measures.deep_slip(measured(wheel_speed=wheel)) == pytest.approx(1.0)
+    assert slide_measures.deep_slip(measured(wheel_speed=wheel)) == pytest.approx(1.0)
 
 
 def test_the_brake_is_back_after_as_long_as_it_takes_to_fill() -> None:
@@ -104,33 +104,35 @@ def test_the_brake_is_back_after_as_long_as_it_takes_to_fill() -> None:
     pressure = rows(np.interp(TIME, [4.0, 6.0], [0.0, 3e5]), 4, 3e5)
     run = measured(adhesion_available=available, brake_cylinder_pressure=pressure)
     # 80 % of 3 bar at 5.6 s; adhesion returned at 4 s, seen within 0.2 s
-    assert measures.reapplication_time(run) == pytest.approx(1.6, abs=0.21)
+    assert answer_measures.reapplication_time(run) == pytest.approx(1.6, abs=0.21)
 
 
 def test_time_without_brake_counts_only_where_one_is_asked() -> None:
     pressure = rows(np.where((TIME > 3.0) & (TIME < 8.0), 0.0, 3e5), 4, 3e5)
     asked = np.where(TIME < 6.0, 1.0, 0.0)
     run = measured(brake_cylinder_pressure=pressure, brake_demand=asked)
-    assert measures.released_time(run) == pytest.approx(3.0, abs=0.11)
+    assert answer_measures.released_time(run) == pytest.approx(3.0, abs=0.11)
 
 
 def test_the_alarm_is_timed_from_the_fault() -> None:
     alarm = rows(np.where(TIME >= 9.0, 1.0, 0.0), 1, 0.0)
-    assert measures.alarm_delay(measured(alarm=alarm)) == pytest.approx(7.0, abs=0.06)
-    assert measures.alarm_delay(measured()) == np.inf
-    assert measures.false_alarms(measured(alarm=rows(np.ones_like(TIME), 7, 0.0))) == 1.0
+    assert answer_measures.alarm_delay(measured(alarm=alarm)) == pytest.approx(7.0, abs=0.06)
+    assert answer_measures.alarm_delay(measured()) == np.inf
+    assert answer_measures.false_alarms(measured(alarm=rows(np.ones_like(TIME), 7, 0.0))) == 1.0
 
 
 def test_the_reference_speed_errs_either_way() -> None:
     train = 100 / 3.6 - 1.0 * TIME
     run = measured(reference_speed=train - np.where(TIME > 3.0, 1.5, 0.0))
-    assert measures.reference_error(run) == pytest.approx(1.5)
+    assert answer_measures.reference_error(run) == pytest.approx(1.5)
 
 
 def test_the_least_speed_of_venting_is_found() -> None:
     vents = rows(np.where(np.abs(TIME - 10.0) < 0.01, 2.0, 0.0), 5, 0.0)
-    assert measures.least_vent_speed(measured(dump_valve=vents)) == pytest.approx(100 / 3.6 - 10.0)
-    assert np.isnan(measures.least_vent_speed(measured()))
+    assert answer_measures.least_vent_speed(measured(dump_valve=vents)) == pytest.approx(
+        100 / 3.6 - 10.0
+    )
+    assert np.isnan(answer_measures.least_vent_speed(measured()))
 
 
 def test_overload_is_a_matter_of_the_rail_not_of_the_slip() -> None:
@@ -139,6 +141,6 @@ def test_overload_is_a_matter_of_the_rail_not_of_the_slip() -> None:
     available[:2] = half  # two of the first vehicle's four
     # above 60 km/h for 11.1 s
     expected = 5.0 / ((100 - 60) / 3.6)
-    assert measures.overload(measured(adhesion_available=available)) == (
+    assert slide_measures.overload(measured(adhesion_available=available)) == (
         pytest.approx(expected, abs=0.01)
     )

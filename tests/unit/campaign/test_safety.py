@@ -13,17 +13,13 @@ from scipy import stats
 from railgrip.campaign.rare.estimate import rare_quantiles
 from railgrip.campaign.safety import marginals
 from railgrip.campaign.safety.case import SafetyCase, find_case, read_safety_case
-from railgrip.campaign.safety.draws import layout_of, trains
-from railgrip.campaign.safety.factors import (
-    as_table,
-    dry_factor,
-    safe_deceleration,
-    safe_distance,
-    safety_factors,
-)
+from railgrip.campaign.safety.draws import trains
+from railgrip.campaign.safety.factors import dry_factor, safety_factors
 from railgrip.campaign.safety.formula import Formula
 from railgrip.campaign.safety.page import page
 from railgrip.campaign.safety.plant import Plant
+from railgrip.campaign.safety.safe_braking import as_table, safe_deceleration, safe_distance
+from railgrip.campaign.safety.train_layout import layout_of
 from railgrip.core.errors import RailgripError
 from railgrip.train.en14531 import mean_resistance, stopping_distance
 

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import railgrip as rg
-from railgrip.campaign.train_observation import Measurements, measurements_of, observe
+from railgrip.campaign.train_measurements import Measurements, measurements_of
+from railgrip.campaign.train_observation import observe
 from railgrip.core.errors import RailgripError
 
 FACTORS = np.array([1.08, 0.94, 1.03, 0.90])

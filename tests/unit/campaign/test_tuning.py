@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from railgrip.campaign.tuning import FAILED, Tuning, _best, tune
+from railgrip.campaign.tuning import Tuning, _best, tune
+from railgrip.campaign.tuning_judge import FAILED
 from railgrip.campaign.tuning_plan import TuningPlan, read_tuning_plan
 from railgrip.core.errors import RailgripError
 

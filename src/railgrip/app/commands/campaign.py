@@ -29,6 +29,7 @@ def run(
     time: str | None = None,
     threads: int = 1,
     cluster: str | None = None,
+    device: str = "cpu",
     no_report: bool = False,
     as_json: Json = False,
 ) -> int:
@@ -50,11 +51,14 @@ def run(
         Chunks worked on at once; results do not depend on it.
     cluster
         Address of a Dask scheduler whose workers make the runs, e.g. tcp://host:8786.
+    device
+        What makes the runs: cpu, the only one in this version.
     no_report
         Write no page.
     as_json
         Print one JSON object instead of the table.
     """
+    _refuse_device(device)
     with working("reading the campaign"):
         from railgrip.campaign.campaign_file import read_campaign_file
         from railgrip.campaign.designs import cells, compare
@@ -75,7 +79,7 @@ def run(
     figure = _judged(asked)
     for _, store in done:
         _show(store, figure, no_report, as_json)
-    if len(done) > 1:
+    if len(done) > 1 and all(store.chunks_done() for _, store in done):
         rows = compare(done, figure)
         path = write_comparison(rows, figure, asked.title, folder)
         if not as_json:
@@ -84,8 +88,20 @@ def run(
     return 0
 
 
+def _refuse_device(device: str) -> None:
+    from railgrip.core.errors import Problem, RailgripError, unknown_name
+
+    if device == "cuda":
+        what = "this version of railgrip has no GPU backend"
+        cure = "--threads, or --cluster for many machines"
+        raise RailgripError(Problem("--device", what, "'cuda'", "cpu", cure=cure))
+    if device != "cpu":
+        raise RailgripError(unknown_name("--device", "device", device, ("cpu",)))
+
+
 def _changed(asked: Any, runs: int | None, until: float | None) -> Any:
-    from railgrip.campaign.campaign_file import CampaignFile, Until, campaign_from
+    from railgrip.campaign.campaign_file import CampaignFile, campaign_from
+    from railgrip.campaign.campaign_parts import Until
 
     table = asked.model_dump(mode="json", by_alias=True)
     if runs is not None:
@@ -154,6 +170,9 @@ class _Bar:
 def _show(store: Store, figure: str, no_report: bool, as_json: bool) -> None:
     from railgrip.campaign.reporting import COLUMNS, summary, write_page
 
+    if not store.chunks_done():
+        print(f"{store.folder}: no chunk was begun yet; run it again to go on", file=sys.stderr)
+        return
     ended, rows = summary(store)
     pages = []
     if not no_report:
@@ -168,17 +187,22 @@ def _show(store: Store, figure: str, no_report: bool, as_json: bool) -> None:
             }
         )  # fmt: skip
         return
-    print_table(store.campaign.title or store.folder.name, list(COLUMNS), rows)
+    print_table(store.campaign.title or store.folder.name, list(COLUMNS), _narrow(rows))
     print(f"Runs: {ended}")
     for page in pages:
         print(f"Report: {page}")
+
+
+def _narrow(rows: list[list[str]]) -> list[list[str]]:
+    """Return cells with the interval under the number, so that all columns fit a terminal."""
+    return [[cell.replace(" [", "\n[") for cell in row] for row in rows]
 
 
 def _show_comparison(rows: Any, figure: str, title: str) -> None:
     from railgrip.campaign.reporting import STUDY_COLUMNS, compared_rows, how_shown
 
     head = f"{title}: {how_shown(figure)[0]}"
-    print_table(head, list(STUDY_COLUMNS), compared_rows(rows, figure))
+    print_table(head, list(STUDY_COLUMNS), _narrow(compared_rows(rows, figure)))
 
 
 @campaign.command
@@ -192,10 +216,11 @@ def status(folder: Path, /, *, as_json: Json = False) -> int:
     as_json
         Print one JSON object.
     """
+    from railgrip.campaign.manifest import open_campaign
     from railgrip.campaign.reporting import states
-    from railgrip.campaign.store import open_campaign
 
     store = open_campaign(folder)
+    store.refuse_damaged()
     written = store.read(["run", "status"])["status"] if store.chunks_done() else []
     ended = store.ended()
     told = {
@@ -225,7 +250,7 @@ def export(folder: Path, to: Path, /) -> int:
         The file; its ending says how: .csv, .parquet or .nc.
     """
     from railgrip.campaign.exporting import export as write
-    from railgrip.campaign.store import open_campaign
+    from railgrip.campaign.manifest import open_campaign
 
     print(f"Written: {write(open_campaign(folder), to)}")
     return 0
@@ -242,8 +267,10 @@ def catalogue(folder: Path, /) -> int:
     """
     from railgrip.campaign.exporting import catalogue as build
 
-    path, count = build(folder)
-    print(f"{count} campaigns: {path}")
+    path, stores, left_out = build(folder)
+    for problem in left_out:
+        print(f"left out: {problem}", file=sys.stderr)
+    print(f"{len(stores)} campaigns: {path}")
     return 0
 
 

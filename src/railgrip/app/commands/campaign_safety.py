@@ -55,7 +55,8 @@ def safety(
         raise RailgripError(Problem("--threads", "must be at least 1", got=str(threads)))
     with working("reading the case"):
         from railgrip.campaign.safety.case import SafetyCase, find_case, read_safety_case
-        from railgrip.campaign.safety.factors import as_table, safety_factors, warnings
+        from railgrip.campaign.safety.factors import safety_factors
+        from railgrip.campaign.safety.safe_braking import as_table, warnings
         from railgrip.scenario.explain import problems_of
 
         path = find_case(file)

@@ -231,7 +231,7 @@ def _as_json(
 def _replay(programme: Programme, which: str, folder: Path, as_json: bool) -> int:
     """Run one repetition again and write its report."""
     from railgrip.app import results
-    from railgrip.campaign.programme.perform import run_again
+    from railgrip.campaign.programme.again import run_again
 
     name, point, number = which.rpartition(".")
     if not point or not number.isdigit():

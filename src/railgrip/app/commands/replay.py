@@ -21,8 +21,8 @@ def replay(folder: Path, run: int, /, *, out: Path | None = None) -> int:
         Folder for report, data and curves; FOLDER/replay-RUN if not given.
     """
     with working("running"):
+        from railgrip.campaign.manifest import open_campaign
         from railgrip.campaign.replaying import replay as again
-        from railgrip.campaign.store import open_campaign
 
         result, draws = again(open_campaign(folder), run)
     files = results.write(result, out or folder / f"replay-{run}")

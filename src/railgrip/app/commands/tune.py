@@ -11,7 +11,8 @@ from railgrip.app.screen import print_json, print_table, working
 from railgrip.core.errors import Problem, RailgripError
 
 if TYPE_CHECKING:
-    from railgrip.campaign.tuning import Trial, Tuning
+    from railgrip.campaign.tuning import Tuning
+    from railgrip.campaign.tuning_judge import Trial
 
 BEST, TRIALS, PICTURE = "best.toml", "trials.csv", "search.png"
 

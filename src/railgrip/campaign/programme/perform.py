@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from railgrip.campaign.programme import situation
+from railgrip.campaign.programme.bounds import in_words, read_bounds
 from railgrip.campaign.programme.measures import Measured
-from railgrip.campaign.programme.metrics import JudgingMetric, all_metrics, metric
-from railgrip.campaign.programme.profile import Limit, Profile, ProgrammeTest, Window
+from railgrip.campaign.programme.metrics import all_metrics
+from railgrip.campaign.programme.profile import Limit, Profile, ProgrammeTest
 from railgrip.campaign.programme.records import Bounds, LimitRecord, RunRecord, TestRecord
 from railgrip.campaign.programme.verdict import MISSED, hold, run_margin
 from railgrip.core.errors import Problem, RailgripError
@@ -26,11 +27,8 @@ from railgrip.scenario import Scenario
 
 Progress = Callable[[str, int, int], None]
 """Called with the test's name, valid runs so far, valid runs wanted."""
-
 MOST_AT_ONCE = 10
 """Runs of a test whose full curves are held at once: memory hardly grows with their number."""
-
-
 ENDED = "ended_well"
 """Metric that every run must keep, whatever the profile says."""
 
@@ -72,38 +70,7 @@ class Programme:
                         cure="a train with [dump_valve], e.g. 'emu_four_car'")
             )  # fmt: skip
         self.controller = find_controller(first.wsp, first.run.step)
-        self._bounds = self._read_bounds()
-
-    def _read_bounds(self) -> dict[tuple[str, str, str], Bounds]:
-        problems: list[Problem] = []
-        found = {}
-        for name, test in self.profile.test.items():
-            windows: list[tuple[str, str, Window]] = [
-                *(("valid", key, one) for key, one in test.valid.items()),
-                *(("limit", key, one) for key, one in test.limit.items()),
-            ]
-            for kind, key, window in windows:
-                where = f"test.{name}.{kind}.{key}"
-                try:
-                    found[name, kind, key] = self._bounds_of(key, window, where)
-                except RailgripError as error:
-                    problems += error.problems
-            for key in test.report:
-                try:
-                    metric(self.metrics, key, f"test.{name}.report")
-                except RailgripError as error:
-                    problems += error.problems
-        if problems:
-            raise RailgripError(problems)
-        return found
-
-    def _bounds_of(self, key: str, window: Window, where: str) -> Bounds:
-        judge = metric(self.metrics, key, where)
-        ends = [
-            None if value is None else judge.read(value, f"{where}.{side}")
-            for side, value in (("least", window.least), ("greatest", window.greatest))
-        ]
-        return Bounds(*ends)
+        self._bounds = read_bounds(profile, self.metrics)
 
     def perform(
         self, names: tuple[str, ...] = (), progress: Progress | None = None
@@ -226,7 +193,7 @@ class Programme:
 
     def _never_valid(self, record: TestRecord, wanted: int) -> str:
         windows = ", ".join(
-            f"{self.metrics[key].label.lower()} {_window(self.metrics[key], bounds)}"
+            f"{self.metrics[key].label.lower()} {in_words(self.metrics[key], bounds)}"
             for key in record.test.valid
             for bounds in [self._bounds[record.name, "valid", key]]
         )
@@ -236,47 +203,3 @@ class Programme:
             f"allowed: {windows}; the last invalid one: {reasons[-1]}; "
             f"try: another rail in test.{record.name}.scenario.rail, or more tries"
         )
-
-
-def run_again(programme: Programme, name: str, number: int) -> Result:
-    """Run one repetition again with full curves, bit for bit as in the programme.
-
-    Parameters
-    ----------
-    programme : Programme
-        As it ran.
-    name : str
-        Of the test.
-    number : int
-        Of the run, as the protocol counts it.
-
-    Raises
-    ------
-    RailgripError
-        ``W3.40: there was no such run; …``
-    """
-    record = next(one for one in programme.perform((name,)) if one.name == name)
-    if not 1 <= number <= len(record.runs):
-        raise RailgripError(
-            Problem(f"{name}.{number}", "there was no such run", allowed=f"1 to {len(record.runs)}")
-        )
-    run = record.runs[number - 1]
-    scenario = situation.scenario_of(programme.profile, name, programme.base, run.seed)
-    varied = situation.variations(
-        scenario, programme.profile.tolerance, record.test, run.index + 1, programme.controller
-    )
-    fine = scenario.with_({"run.trace": max(0.02, scenario.run.step)})
-    result = simulate(
-        fine, runs=run.index + 1, variations=varied, traces=True, controller=programme.controller
-    )
-    chosen = result.data.isel(run=[run.index])
-    return Result(fine, chosen)
-
-
-def _window(judge: JudgingMetric, bounds: Bounds) -> str:
-    parts = []
-    if bounds.least is not None:
-        parts.append(f"at least {judge.unit.show(bounds.least)}")
-    if bounds.greatest is not None:
-        parts.append(f"at most {judge.unit.show(bounds.greatest)}")
-    return " and ".join(parts)

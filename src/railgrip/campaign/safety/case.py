@@ -10,7 +10,8 @@ from typing import Annotated, Literal
 from pydantic import Field, ValidationError, model_validator
 
 from railgrip import data
-from railgrip.campaign.campaign_file import Correlation, read_sample
+from railgrip.campaign.campaign_parts import Correlation
+from railgrip.campaign.completing import read_sample
 from railgrip.campaign.distribution_kinds import Empirical
 from railgrip.campaign.safety.variable import OF_PLANT, Variable
 from railgrip.core.errors import Problem, RailgripError, unknown_name

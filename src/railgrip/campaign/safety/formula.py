@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from railgrip.campaign.safety.case import SafetyCase
-from railgrip.campaign.safety.draws import Layout, Trains
+from railgrip.campaign.safety.draws import Trains
+from railgrip.campaign.safety.train_layout import Layout
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine import layout as at
 from railgrip.engine.lower_train import lower_train

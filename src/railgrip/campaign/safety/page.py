@@ -11,13 +11,9 @@ import numpy as np
 import railgrip
 from railgrip.campaign.rare.convergence import convergence
 from railgrip.campaign.rare.levels import EBCL, SHORTFALLS
-from railgrip.campaign.safety.factors import (
-    SafetyFactors,
-    Step,
-    safe_deceleration,
-    safe_distance,
-    warnings,
-)
+from railgrip.campaign.safety.factors import SafetyFactors, Step
+from railgrip.campaign.safety.page_case import ASSUMPTIONS, failures, variables
+from railgrip.campaign.safety.safe_braking import safe_deceleration, safe_distance, warnings
 from railgrip.report.safety_chart import convergence_chart, exceedance_chart
 from railgrip.report.static_page import static_page, table
 
@@ -29,25 +25,6 @@ svg .grid { stroke: var(--grid); }
 svg .curve { stroke: var(--accent); fill: none; stroke-width: 2; }
 svg .band { fill: var(--accent); opacity: .3; } svg .dot { fill: var(--ink); }
 """
-
-ASSUMPTIONS = (
-    "Nominal: dry rail, level line, the train exactly as its file says, nothing failed.",
-    "Deceleration distance: from the brake command to standstill, less the distance run until the "
-    "end of the nominal equivalent build-up time. A slower filling lowers K.",
-    "K_dry_rst(V, EBCL): nominal over real deceleration distance from V; a stop stays above it "
-    "with the confidence of the level. K_wet_rst(V): mean deceleration distance dry over wet, the "
-    "same trains on both, none failed.",
-    "A_brake_safe = K_dry (K_wet + M_NVAVADH (1 − K_wet)) A_brake_emergency (SUBSET-026 §3.13).",
-    "Quantities scatter independently unless 'per' or a correlation ties them; units fail "
-    "independently. A failed unit gives no brake force, nobody notices, and nothing takes its "
-    "place but what a deceleration controller asks of the others. Where the brake control itself "
-    "fails, the brakes work as without it.",
-    "Failed units are enumerated with exact probabilities. The rest is sampled beyond where each "
-    "level begins, along a direction that pilot runs found, and weighted exactly (balance "
-    "heuristic). Pilots are not counted.",
-    "Intervals: all values that the sample does not contradict, by its own variance; 95 % for each "
-    "level, and wider ones that hold all ten levels at once with 95 %.",
-)
 
 
 def page(found: SafetyFactors) -> str:
@@ -71,8 +48,8 @@ def page(found: SafetyFactors) -> str:
         *_worth(found),
         "<h2>What was assumed</h2>",
         "<ol>" + "".join(f"<li>{escape(one)}</li>" for one in ASSUMPTIONS) + "</ol>",
-        _variables(found),
-        _failures(found),
+        variables(found),
+        failures(found),
         "<h2>The sample</h2>",
         *(_sample(step) for step in found.steps),
         "<h2>Which failed units make which level</h2>",
@@ -181,50 +158,6 @@ def _curve(step: Step, name: str) -> str:
         + exceedance_chart(dry.curve.bound, dry.curve.probability, dry.curve.error, marks)
         + "</figure>"
     )
-
-
-def _variables(found: SafetyFactors) -> str:
-    rows = []
-    for one in found.case.variables:
-        numbers = ", ".join(f"{name} {getattr(one, name)}" for name in
-                            ("mean", "deviation", "low", "mode", "high")
-                            if getattr(one, name) is not None)  # fmt: skip
-        if one.values:
-            sample = one.sample
-            numbers = f"{len(sample)} values, {min(sample):g} … {max(sample):g} (SI) {one.file}"
-        rows.append([one.label, one.per, one.means, one.distribution, numbers,
-                     ", ".join(one.brakes) or "all", one.source])  # fmt: skip
-    heads = ["quantity", "per", "as", "distribution", "numbers", "brakes", "source"]
-    return table(heads, rows, "What scatters", "text") + _correlations(found)
-
-
-def _correlations(found: SafetyFactors) -> str:
-    rows = [
-        [first, second, f"{one.matrix[i][j]:g}"]
-        for one in found.case.correlation
-        for i, first in enumerate(one.variables)
-        for j, second in enumerate(one.variables)
-        if i < j
-    ]
-    heads = ["", "with", "correlation of normal scores, within each place"]
-    return table(heads, rows, "What goes together (Gaussian copula)", "text") if rows else ""
-
-
-def _failures(found: SafetyFactors) -> str:
-    rows = [
-        [one.per, f"{one.latent:g}", f"{one.on_demand:g}", f"{one.probability:.6g}",
-         ", ".join(one.brakes) or "all", one.source]
-        for one in found.case.failures
-    ]  # fmt: skip
-    if not rows:
-        return "<p>No unit fails.</p>"
-    heads = ["unit", "latent", "on demand", "together", "brakes", "source"]
-    states = found.layout.states
-    told = (
-        f"What fails: {len(found.layout.fails)} units, {len(states.weight)} different states "
-        f"enumerated, {states.left_out:.1e} left out and counted against the train"
-    )
-    return table(heads, rows, told, "text")
 
 
 def _sample(step: Step) -> str:

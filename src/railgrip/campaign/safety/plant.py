@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from railgrip.campaign.safety.case import SafetyCase
-from railgrip.campaign.safety.draws import Layout, Trains
+from railgrip.campaign.safety.draws import Trains
 from railgrip.campaign.safety.formula import nominal_trains
+from railgrip.campaign.safety.train_layout import Layout
 from railgrip.core.errors import RailgripError
 from railgrip.core.status import RunStatus
 from railgrip.engine import layout as at
