@@ -23,8 +23,12 @@ FINEST, COARSEST, NODES = 2.0, 10.0, 5000
 """Distance of nodes, m: that of so many nodes a leg, but within these bounds."""
 NEAR = 0.25
 """An additional node is left out where another is nearer, m."""
-LITTLE = 1e-3
-"""The least force that a limit leaves open, m/s²: a limit of nothing has no inside."""
+SLIVER = 0.02
+"""The least share of an interval that a node in it cuts off."""
+SHARP = 0.02
+"""A change of acceleration that counts as a turn, m/s²."""
+AT_ONCE = 0.2
+"""A motors' brake that fades all at once does so over so much speed, m/s."""
 
 
 class Grid(NamedTuple):
@@ -71,6 +75,24 @@ def nodes(journey: Journey, begin: float, end: float, step: float | None = None)
     right = np.clip(np.searchsorted(base, extra), 1, base.size - 1)
     gap = np.minimum(np.abs(base[right] - extra), np.abs(base[right - 1] - extra))
     return np.unique(np.concatenate([base, extra[gap > NEAR]]))
+
+
+def with_turns(places: Array, square: Array) -> Array:
+    """Return the nodes and one more wherever the run turns from pulling to holding or braking.
+
+    There the square of speed has a peak or a corner. Between nodes it would be cut off, and the
+    fastest run would be short of its energy by a share of the distance of the nodes.
+    """
+    width = np.diff(places)
+    steep = np.diff(square) / width
+    before, after = steep[:-2], steep[2:]
+    bend = before - after
+    with np.errstate(divide="ignore", invalid="ignore"):
+        # where the lines of the two neighbouring intervals meet
+        along = (square[2:-1] - square[1:-2] - after * width[1:-1]) / bend
+    inside = (along > SLIVER * width[1:-1]) & (along < (1.0 - SLIVER) * width[1:-1])
+    sharp = bend > SHARP * (2.0 / SPEED**2)
+    return np.unique(np.concatenate([places, (places[1:-2] + along)[inside & sharp]]))
 
 
 def grid_of(journey: Journey, places: Array) -> Grid:
@@ -129,19 +151,33 @@ def _open(pieces: Array, mass: float) -> tuple[Array, float]:
     below the steps of a falling effort.
     """
     pieces = pieces.copy()
-    knots = np.append(pieces[1:, 0], pieces[-1, 0] + 1.0)
-    ends = pieces[:, 1] + pieces[:, 2] * knots
     most = float(np.max(np.maximum(pieces[:, 1] + pieces[:, 2] * pieces[:, 0], 0.0)))
     if not np.any(pieces[:, 3]) and np.all(pieces[:, 2] == 0.0) and len(pieces) > 1:
         slope = np.append(np.diff(pieces[:, 1]) / np.diff(pieces[:, 0]), 0.0)
         pieces[:, 1] -= slope * pieces[:, 0]
         pieces[:, 2] = slope
     elif np.any(pieces[:, 3]):
-        flat = (pieces[:, 2] == 0.0) & (pieces[:, 3] == 0.0) & (ends == most)
-        pieces[flat, 3] = pieces[-1, 3]
-        pieces[flat, 1] = 0.0
+        pieces = _hyperbola(pieces)
     pieces[:, 0] /= SPEED
     pieces[:, 1] /= mass
     pieces[:, 2] *= SPEED / mass
     pieces[:, 3] /= SPEED * mass
     return pieces, most / mass
+
+
+def _hyperbola(pieces: Array) -> Array:
+    """Return a hyperbola alone, below it the line of a fade up to where both meet.
+
+    A limit must not jump: Newton's method would go to and fro over the step.
+    """
+    power = pieces[-1, 3]
+    line = pieces[pieces[:, 2] > 0.0]
+    if not line.size and pieces[0, 1] > 0.0 or len(pieces) == 1:
+        return np.array([[0.0, 0.0, 0.0, power]])
+    if line.size:
+        c0, c1 = line[0, 1], line[0, 2]
+    else:  # faded at once
+        c1 = pieces[1, 1] / AT_ONCE
+        c0 = -c1 * pieces[1, 0]
+    meet = 0.5 * (np.sqrt(c0 * c0 + 4.0 * c1 * power) - c0) / c1
+    return np.array([[0.0, c0, c1, 0.0], [meet, 0.0, 0.0, power]])

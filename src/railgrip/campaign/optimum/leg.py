@@ -23,6 +23,8 @@ SHORT = 1e-4
 _FACTORS = (1.0, 1.5, 2.2, *(0.8**k for k in range(1, 25)))
 """Supplements that are tried in turn, over the one asked for: if it has no run, slower ones to mix
 from, then faster ones."""
+TURNS = 2
+"""How often nodes are put to where the fastest run turns from pulling to braking."""
 LOWEST = 1e-4
 """The least square of speed between the stops, in the grid's unit: 0.1 m/s."""
 
@@ -54,8 +56,17 @@ class LegProblem:
         step: float | None = None,
     ) -> None:  # fmt: skip
         self.position = units.nodes(journey, begin, end, step)
-        self.grid = units.grid_of(journey, self.position)
         self.mass = journey.train.dynamic_mass
+        square = self._fastest(journey, first, final)
+        for _ in range(TURNS):
+            self.position = units.with_turns(self.position, square)
+            square = self._fastest(journey, first, final)
+        self.fastest = self._driven(square)
+        self.least_time = self.time_of(square)
+
+    def _fastest(self, journey: Journey, first: float, final: float) -> Array:
+        """Fill the grid on the nodes and return the squares of speed of the fastest run."""
+        self.grid = units.grid_of(journey, self.position)
         for place, speed in ((0, first), (-1, final)):
             if speed**2 > self.grid.limit[place] * units.SPEED**2 * (1 + 1e-9):
                 raise RailgripError(
@@ -67,8 +78,7 @@ class LegProblem:
         status = flat_out(self.grid, square)
         if status != DONE or asked > square[0] * (1 + 1e-9):
             _refuse(status, self.position)
-        self.fastest = self._driven(square)
-        self.least_time = self.time_of(square)
+        return square
 
     def time_of(self, square: Array) -> float:
         """Return the running time, s."""
