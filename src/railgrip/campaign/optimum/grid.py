@@ -55,13 +55,11 @@ class Grid(NamedTuple):
 def nodes(journey: Journey, begin: float, end: float, step: float | None = None) -> Array:
     """Return the positions of the nodes of a leg, m.
 
-    Every change of a limit and both ends of every tunnel are nodes; towards the stops they lie
-    closer.
+    Every change of a limit, a gradient or a tunnel is a node; towards the stops they lie closer.
     """
     if step is None:
         step = min(max((end - begin) / NODES, FINEST), COARSEST)
-    marks = {at for at, _ in limits(journey)}
-    marks |= {x for tunnel in journey.line.tunnel for x in (tunnel.begin, tunnel.end)}
+    marks = {at for at, _ in limits(journey)} | set(Sections(journey).position.tolist())
     edges = [begin, *sorted(mark for mark in marks if begin < mark < end), end]
     parts = [
         np.linspace(a, b, max(1, int(np.ceil((b - a) / step))) + 1)[:-1] for a, b in pairwise(edges)
@@ -157,7 +155,7 @@ def _open(pieces: Array, mass: float) -> tuple[Array, float]:
         pieces[:, 1] -= slope * pieces[:, 0]
         pieces[:, 2] = slope
     elif np.any(pieces[:, 3]):
-        pieces = _hyperbola(pieces)
+        pieces = _hyperbola(pieces, most)
     pieces[:, 0] /= SPEED
     pieces[:, 1] /= mass
     pieces[:, 2] *= SPEED / mass
@@ -165,19 +163,21 @@ def _open(pieces: Array, mass: float) -> tuple[Array, float]:
     return pieces, most / mass
 
 
-def _hyperbola(pieces: Array) -> Array:
+def _hyperbola(pieces: Array, most: float) -> Array:
     """Return a hyperbola alone, below it the line of a fade up to where both meet.
 
     A limit must not jump: Newton's method would go to and fro over the step.
     """
     power = pieces[-1, 3]
     line = pieces[pieces[:, 2] > 0.0]
-    if not line.size and pieces[0, 1] > 0.0 or len(pieces) == 1:
-        return np.array([[0.0, 0.0, 0.0, power]])
-    if line.size:
-        c0, c1 = line[0, 1], line[0, 2]
-    else:  # faded at once
-        c1 = pieces[1, 1] / AT_ONCE
-        c0 = -c1 * pieces[1, 0]
-    meet = 0.5 * (np.sqrt(c0 * c0 + 4.0 * c1 * power) - c0) / c1
+    if len(pieces) > 1 and (line.size or pieces[0, 1] == 0.0):
+        if line.size:
+            c0, c1 = line[0, 1], line[0, 2]
+        else:  # faded at once
+            c1 = pieces[1, 1] / AT_ONCE
+            c0 = -c1 * pieces[1, 0]
+        meet = 0.5 * (np.sqrt(c0 * c0 + 4.0 * c1 * power) - c0) / c1
+    else:  # a tangent, far above the constant limit, so that nothing grows beyond bounds
+        meet = 0.5 * power / most
+        c0, c1 = 2.0 * power / meet, -power / meet**2
     return np.array([[0.0, c0, c1, 0.0], [meet, 0.0, 0.0, power]])

@@ -10,6 +10,10 @@ from railgrip.campaign.optimum.conditions import CONDITIONS, conditions
 OBJECTIVE, TIME, MISFIT, GAP, COUNT = range(5)
 """Places in ``work.found``: what `assemble` finds besides the system."""
 
+LATE = 1e-4
+"""What a second of lateness is paid, in the grid's units, so that the time asked for is used up
+even where it saves nothing. The optimum of that time is the same."""
+
 
 def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> None:
     """Fill the system of the Newton step towards complementarity ``aim``.
@@ -18,7 +22,8 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
     """
     n = grid.width.shape[0]
     z, drive, back = point.square, grid.bounds[7], grid.bounds[8]
-    price = point.clock[1]
+    price = point.clock[1] - (LATE if target > 0.0 else 0.0)
+    convex = max(price, 0.0)
     diagonal, beside, rhs, by_time = work.diagonal, work.beside, work.rhs, work.by_time
     for k in range(n + 1):
         diagonal[k] = rhs[k] = by_time[k] = 0.0
@@ -94,10 +99,10 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
         by_time[i] -= once * d0
         by_time[i + 1] -= once * d1
         if v0 > 0.0:
-            diagonal[i] += price * (twice * d0 * d0 + 0.5 * once * d0 / z[i])
+            diagonal[i] += convex * (twice * d0 * d0 + 0.5 * once * d0 / z[i])
         if v1 > 0.0:
-            diagonal[i + 1] += price * (twice * d1 * d1 + 0.5 * once * d1 / z[i + 1])
-        beside[i] += price * twice * d0 * d1
+            diagonal[i + 1] += convex * (twice * d1 * d1 + 0.5 * once * d1 / z[i + 1])
+        beside[i] += convex * twice * d0 * d1
     for k in range(1, n):
         for side in range(2):
             sign = 1.0 if side == 0 else -1.0
@@ -113,9 +118,9 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
     new = price
     if target > 0.0:
         misfit = max(misfit, abs(miss))
-        gap += spare * price
+        gap += spare * point.clock[1]
         count += 1
-        new = price + (aim - spare * price) / spare - price / spare * miss
+        new += (aim - spare * point.clock[1]) / spare - point.clock[1] / spare * miss
     for k in range(1, n):
         rhs[k] += by_time[k] * new
     found = work.found
