@@ -42,7 +42,8 @@ def begin(grid: Any, point: Any, work: Any, target: float, spare: float) -> None
             point.slack[i, j] = max(work.value[j], 0.02)
             point.dual[i, j] = aim / point.slack[i, j]
     for k in range(n + 1):
-        point.room[k, 0] = max(point.square[k] - work.edge[k, 0], 0.02)
+        # the guess keeps the lower bound, and so do all that follow: no square becomes negative
+        point.room[k, 0] = point.square[k] - work.edge[k, 0]
         point.room[k, 1] = max(work.edge[k, 1] - point.square[k], 0.02)
         point.press[k, 0] = aim / point.room[k, 0]
         point.press[k, 1] = aim / point.room[k, 1]
@@ -89,8 +90,6 @@ def lengths(grid: Any, point: Any, work: Any, target: float, aim: float) -> None
                 primal = min(primal, -s / ds)
             if dy < 0.0:
                 dual = min(dual, -y / dy)
-        if dz[k] < 0.0:
-            primal = min(primal, 0.95 / CLOSE * z[k] / -dz[k])
     work.d_clock[0] = work.d_clock[1] = 0.0
     if target > 0.0:
         s, y = point.clock[0], point.clock[1]
