@@ -145,15 +145,12 @@ def _open(pieces: Array, mass: float) -> tuple[Array, float]:
     """Scale pieces and take the constant limit of the force out of them.
 
     A hyperbola goes on to standstill, where the constant limit holds: each alone is smooth, the
-    lesser of both has a bend. A table of held entries is read as lines between them, which lie
-    below the steps of a falling effort.
+    lesser of both has a bend.
     """
     pieces = pieces.copy()
     most = float(np.max(np.maximum(pieces[:, 1] + pieces[:, 2] * pieces[:, 0], 0.0)))
     if not np.any(pieces[:, 3]) and np.all(pieces[:, 2] == 0.0) and len(pieces) > 1:
-        slope = np.append(np.diff(pieces[:, 1]) / np.diff(pieces[:, 0]), 0.0)
-        pieces[:, 1] -= slope * pieces[:, 0]
-        pieces[:, 2] = slope
+        pieces = _lines(pieces)
     elif np.any(pieces[:, 3]):
         pieces = _hyperbola(pieces, most)
     pieces[:, 0] /= SPEED
@@ -161,6 +158,16 @@ def _open(pieces: Array, mass: float) -> tuple[Array, float]:
     pieces[:, 2] *= SPEED / mass
     pieces[:, 3] /= SPEED * mass
     return pieces, most / mass
+
+
+def _lines(pieces: Array) -> Array:
+    """Return held entries as lines through the middles of their steps: the effort in the mean."""
+    steps, force = pieces[:, 0], pieces[:, 1]
+    middle = 0.5 * (steps[1:] + steps[:-1])
+    speed = np.concatenate([[0.0], middle, [2.0 * steps[-1] - middle[-1]]])
+    force = np.concatenate([force[:1], force])
+    slope = np.append(np.diff(force) / np.diff(speed), 0.0)
+    return np.column_stack([speed, force - slope * speed, slope, np.zeros(speed.size)])
 
 
 def _hyperbola(pieces: Array, most: float) -> Array:
