@@ -20,6 +20,10 @@ PRICED = 1e-5
 """The price of time is read while complementarity is above this share of the energy."""
 FIT = 1e-6
 """Misfit of a condition left over, m/s² (and tens of seconds)."""
+LITTLE = 0.05
+"""The energy, as a force over the way, m/s², below which tolerances do not fall with it."""
+NEARLY = 10.0
+"""Times the tolerances: where rounding lets no step get further, this is near enough."""
 MOST = 200
 STUCK = 1e-5
 """Steps that the nearest condition cuts to less than this, five times running, lead nowhere."""
@@ -162,11 +166,13 @@ def _newton(grid: Any, point: Any, work: Any, target: float, spare: float) -> in
     """
     begin(grid, point, work, target, spare)
     work.d_square[0] = work.d_square[grid.width.shape[0]] = work.lifted[0] = 0.0
-    stuck = 0
+    stuck, way = 0, 0.0
+    for i in range(grid.width.shape[0]):
+        way += grid.width[i]
     for _ in range(MOST):
         assemble(grid, point, work, target, 0.0)
         energy, misfit, gap, count = work.found[0], work.found[2], work.found[3], work.found[4]
-        scale = max(abs(energy), 0.1)
+        scale = max(abs(energy), LITTLE * way)
         if not gap < 1e30:
             return 2
         if gap > PRICED * scale:
@@ -186,7 +192,7 @@ def _newton(grid: Any, point: Any, work: Any, target: float, spare: float) -> in
         lengths(grid, point, work, target, aim)
         stuck = stuck + 1 if work.reach[0] < STUCK else 0
         if stuck > 4:
-            return 2
+            return 0 if misfit < NEARLY * FIT and gap < NEARLY * TIGHT * scale else 2
         move(grid, point, work, target, aim)
     return 1
 
