@@ -24,7 +24,7 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
     z, drive, back = point.square, grid.bounds[7], grid.bounds[8]
     price = point.clock[1] - (LATE if target > 0.0 else 0.0)
     # where a second is worth little, its reward has a curvature of its own: steps stay in bounds
-    convex = max(price, LATE)
+    convex = max(price, 0.01 * LATE)
     diagonal, beside, rhs, by_time = work.diagonal, work.beside, work.rhs, work.by_time
     for k in range(n + 1):
         diagonal[k] = rhs[k] = by_time[k] = 0.0

@@ -20,6 +20,9 @@ PRICED = 1e-5
 """The price of time is read while complementarity is above this share of the energy."""
 FIT = 1e-6
 """Misfit of a condition left over, m/s² (and tens of seconds)."""
+AHEAD = 0.05
+"""Complementarity over the energy stays above this share of the misfit: where it vanishes before
+the conditions hold, steps become short."""
 LITTLE = 0.05
 """The energy, as a force over the way, m/s², below which tolerances do not fall with it."""
 NEARLY = 10.0
@@ -185,7 +188,8 @@ def _newton(grid: Any, point: Any, work: Any, target: float, spare: float) -> in
         lengths(grid, point, work, target, 0.0)
         share = gap_ahead(grid, point, work, target) / gap
         share = min(max(share * share, 0.05), 0.8)
-        aim = max(share * gap / count, 0.2 * TIGHT * scale / count)
+        least = max(0.2 * TIGHT, AHEAD * min(misfit, 1.0)) * scale / count
+        aim = max(share * gap / count, min(least, gap / count))
         assemble(grid, point, work, target, aim)
         if not direction(grid, point, work, target):
             return 2
