@@ -43,12 +43,16 @@ class Profile(NamedTuple):
         Braking by motors and by friction, per dynamic mass.
     price : float
         Of time, W: what a second more would save; nan for the fastest run.
+    is_optimal : bool
+        False where no optimum was found for the time: the run lies between those of other times,
+        or is that of a shorter one.
     """
 
     square: Array
     motor: Array
     friction: Array
     price: float
+    is_optimal: bool = True
 
 
 class LegProblem:
@@ -119,8 +123,7 @@ class LegProblem:
     def for_time(self, time: float) -> Profile:
         """Return the run of least energy for a time, s.
 
-        Where a climb needs its run-up, no run is slower than some time; a longer one then gives
-        a run that arrives early.
+        Where none is found, the nearest that there is, which says so: ``is_optimal``.
         """
         least = self.least_time
         if not time >= least * (1.0 - SHORT):
@@ -136,9 +139,11 @@ class LegProblem:
         for factor in _FACTORS:
             slower = least * (1.0 + share * factor)
             found = self._newton(slower / units.TIME, np.nan)
-            if found is not None:
-                return found if slower <= time * (1.0 + 1e-12) else self._mixed(found, time)
-        return self.fastest
+            if found is None:
+                continue
+            run = found if slower <= time * (1.0 + 1e-12) else self._mixed(found, time)
+            return run if factor == 1.0 else run._replace(is_optimal=False)
+        return self.fastest._replace(is_optimal=False)
 
     def for_price(self, price: float) -> Profile:
         """Return the run that costs least where a second costs ``price``, W."""

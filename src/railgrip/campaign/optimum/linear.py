@@ -119,7 +119,7 @@ def without_brakes(
     effort = slope[2, 0] + slope[0, 0]
     pull = weight[0] + weight[1] + weight[2]
     part = weight[2] / pull
-    spread = (pull - weight[2]) * part * effort * effort
+    spread: float = (pull - weight[2]) * part * effort * effort
     h0, h1 = slope[0, 0] - part * effort, slope[0, 1] - part * effort
     k = ease_r = ease_f = 0.0
     if grid.given[3]:

@@ -35,6 +35,10 @@ class OptimalRun(NamedTuple):
         Without dwells, s: of this run, and the least possible.
     prices : array (leg)
         What a second more would save in each leg, W; nan where it is the fastest run.
+    asked : float
+        Running time asked for, s.
+    is_optimal : bool
+        False where a leg has no optimum for its time that was found; see ``early``.
     """
 
     position: Array
@@ -47,11 +51,19 @@ class OptimalRun(NamedTuple):
     running_times: Array
     least_times: Array
     prices: Array
+    asked: float
+    is_optimal: bool
 
     @property
     def running_time(self) -> float:
         """Without dwells, s."""
         return float(self.running_times.sum())
+
+    @property
+    def early(self) -> float:
+        """How long before the time asked for it arrives, s: 0 but where no slower run was found."""
+        early = self.asked - self.running_time
+        return early if early > 1e-6 * self.asked else 0.0
 
 
 def optimum(journey: Journey, time: float | None = None, step: float | None = None) -> OptimalRun:
@@ -64,8 +76,7 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
         and the train's length count; an efficiency map does not.
     time : float, optional
         Running time without dwells, from the least possible, [s]; absent: what the journey asks
-        for by ``time`` or ``supplement``. Where a climb needs its run-up there is a slowest run
-        too; a longer time then gives a run that arrives early.
+        for by ``time`` or ``supplement``.
     step : float, optional
         Distance of the nodes, [m]; absent: leg/5000, from 2 to 10 m.
 
@@ -73,6 +84,7 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
     -------
     run : OptimalRun
         Between several stops the supplement is spread so that a second is worth the same in all.
+        ``run.early`` and ``run.is_optimal`` tell where the time could not be used up.
 
     Raises
     ------
@@ -117,7 +129,7 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
     else:
         times = spread(legs, total)
     runs = [leg.for_time(float(t)) for leg, t in zip(legs, times, strict=True)]
-    return _joined(journey, legs, runs)
+    return _joined(journey, legs, runs, max(total, float(least.sum())))
 
 
 def spread(legs: list[LegProblem], total: float) -> Array:
@@ -181,7 +193,9 @@ def _asked(journey: Journey, least: float) -> float:
     return least * (1.0 + (journey.supplement or 0.0))
 
 
-def _joined(journey: Journey, legs: list[LegProblem], runs: list[Profile]) -> OptimalRun:
+def _joined(
+    journey: Journey, legs: list[LegProblem], runs: list[Profile], asked: float
+) -> OptimalRun:
     columns: list[list[Array]] = [[], [], [], [], [], []]
     clock, energy = 0.0, 0.0
     times = []
@@ -203,5 +217,6 @@ def _joined(journey: Journey, legs: list[LegProblem], runs: list[Profile]) -> Op
     least = np.array([leg.least_time for leg in legs])
     prices = np.array([run.price for run in runs])
     return OptimalRun(
-        position, speed, time, traction, motor, friction, energy, np.array(times), least, prices
-    )
+        position, speed, time, traction, motor, friction, energy, np.array(times), least, prices,
+        asked, all(run.is_optimal for run in runs),
+    )  # fmt: skip
