@@ -42,12 +42,16 @@ class Grid(NamedTuple):
     """Coefficient of the square of the speed in each interval."""
     limit: Array
     """Square of the permitted speed at each node."""
+    gain: Array
+    """The greatest acceleration in each interval: what is preset, or what a steep fall gives."""
+    loss: Array
+    """The greatest deceleration: what is preset, or what a steep climb takes."""
     effort: Array
     """Pieces of the effort (speed, c0, c1, c2), without the constant limit of the force."""
     brake: Array
     """The same of the motors' brake."""
     bounds: Array
-    """constant, linear, effort, brake, friction, acceleration, deceleration, drive, return."""
+    """constant, linear, effort, brake, friction, drive, return."""
     given: NDArray[np.bool_]
     """Which of the ten conditions of an interval there are."""
 
@@ -123,8 +127,6 @@ def grid_of(journey: Journey, places: Array) -> Grid:
         most,
         most_brake,
         UNLIMITED if friction is None else friction / mass,
-        UNLIMITED if train.max_acceleration is None else train.max_acceleration,
-        UNLIMITED if deceleration is None else deceleration,
         1.0 / (chain.traction * chain.converter),
         chain.regeneration * chain.converter * motor.receptivity,
     ])  # fmt: skip
@@ -133,11 +135,14 @@ def grid_of(journey: Journey, places: Array) -> Grid:
         has_friction, has_friction and friction is not None,
         train.max_acceleration is not None, deceleration is not None,
     ])  # fmt: skip
+    slope = train.mass * GRAVITY / mass * sections.mean_slope(places)
+    drag = (train.resistance.quadratic + sections.drag_at(middle)) * SPEED**2 / mass
+    resists = slope + bounds[0] + bounds[1] * np.sqrt(here) + drag * here
     return Grid(
-        np.diff(places) / LENGTH,
-        train.mass * GRAVITY / mass * sections.mean_slope(places),
-        (train.resistance.quadratic + sections.drag_at(middle)) * SPEED**2 / mass,
-        limit, effort, brake, bounds, given,
+        np.diff(places) / LENGTH, slope, drag, limit,
+        np.maximum(train.max_acceleration or UNLIMITED, -slope - bounds[0]),
+        np.maximum(deceleration or UNLIMITED, resists),
+        effort, brake, bounds, given,
     )  # fmt: skip
 
 

@@ -95,7 +95,7 @@ class LegProblem:
     def energy_of(self, run: Profile) -> float:
         """Return the net energy at the pantograph without auxiliaries, J."""
         traction = self.traction_of(run)
-        drawn = self.grid.bounds[7] * traction - self.grid.bounds[8] * run.motor
+        drawn = self.grid.bounds[5] * traction - self.grid.bounds[6] * run.motor
         return float(np.sum(self.grid.width * drawn) * self.mass * units.LENGTH)
 
     def traction_of(self, run: Profile) -> Array:

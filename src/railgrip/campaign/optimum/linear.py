@@ -21,7 +21,7 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
     ``point.clock`` is (slack of the time, price of time); ``target`` is the time asked for.
     """
     n = grid.width.shape[0]
-    z, drive, back = point.square, grid.bounds[7], grid.bounds[8]
+    z, drive, back = point.square, grid.bounds[5], grid.bounds[6]
     price = point.clock[1] - (LATE if target > 0.0 else 0.0)
     # where a second is worth little, its reward has a curvature of its own: steps stay in bounds
     convex = max(price, 0.01 * LATE)
