@@ -142,12 +142,14 @@ def integrated(journey: Journey, leg: LegProblem, square: Any, parts: int = 8) -
         drag[inside] += train.tunnel_quadratic(tube.cross_section)
     force = train.dynamic_mass * rate + train.mass * 9.81 * slope
     force += train.resistance.constant + train.resistance.linear * np.sqrt(v2) + drag * v2
-    motor = np.repeat(leg_motor(train, v2.reshape(-1, parts).mean(axis=1)), parts)
-    motor = np.minimum(np.maximum(-force, 0.0), motor)
+    # a coasting train is not driven and braked by turns within an interval: its mean force counts
+    force = force.reshape(-1, parts).mean(axis=1)
+    motor = np.minimum(
+        np.maximum(-force, 0.0), leg_motor(train, v2.reshape(-1, parts).mean(axis=1))
+    )
     drawn = np.maximum(force, 0.0) / train.efficiency.traction
     back_to_net = motor * train.efficiency.regeneration * train.regeneration.receptivity
-    width = np.repeat(np.diff(x) / parts, parts)
-    return float(np.sum((drawn - back_to_net) * width))
+    return float(np.sum((drawn - back_to_net) * np.diff(x)))
 
 
 def leg_motor(train: Any, v2: Any) -> Any:

@@ -86,9 +86,13 @@ def read_any(path: Path, tracks: Sequence[str] | None = None) -> Imported:
         timed = read_ttobench_journey(path)
         stops = [stop.model_dump(exclude_defaults=True) for stop in timed.stops]
         text = f"{len(stops)} stops on {timed.track}"
+        if timed.passing:
+            text += f"; {len(timed.passing)} passing points have no place in a journey, left out"
         return Imported("stops", "TTOBench", {"title": timed.track, "stop": stops}, text)
     if "mass" in keys:
         return _model("point train", "TTOBench", read_ttobench_train(path))
+    if not keys & {"metadata", "stops", "speed limits"}:
+        raise RailgripError(Problem(str(path), "is of no known format", allowed=_FORMATS))
     return _model("line", "TTOBench", read_ttobench_track(path))
 
 
