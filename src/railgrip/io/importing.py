@@ -11,7 +11,8 @@ from railgrip.core.errors import Problem, RailgripError
 from railgrip.io.line_csv import read_line_csv
 from railgrip.io.osrd import read_osrd_line, read_osrd_train
 from railgrip.io.railml import read_railml
-from railgrip.io.railtoolkit import read_railtoolkit_path, read_railtoolkit_train
+from railgrip.io.railtoolkit import read_railtoolkit_train
+from railgrip.io.railtoolkit_path import read_railtoolkit_path
 from railgrip.io.ttobench import read_ttobench_track
 from railgrip.io.ttobench_train import read_ttobench_journey, read_ttobench_train
 from railgrip.scenario.base import Model

@@ -10,7 +10,8 @@ from railgrip.io.importing import read_any
 from railgrip.io.line_csv import read_line_csv
 from railgrip.io.osrd import read_osrd_line, read_osrd_train
 from railgrip.io.railml import read_railml
-from railgrip.io.railtoolkit import read_railtoolkit_path, read_railtoolkit_train
+from railgrip.io.railtoolkit import read_railtoolkit_train
+from railgrip.io.railtoolkit_path import read_railtoolkit_path
 from railgrip.io.ttobench_train import read_ttobench_journey, read_ttobench_train
 
 RAILML_2 = """<?xml version="1.0"?>
@@ -322,6 +323,28 @@ def test_bad_railtoolkit_paths(written, old, new, sentence):
     text = data.path("lines", "const").read_text(encoding="utf-8")
     with pytest.raises(RailgripError, match=sentence):
         read_railtoolkit_path(written("path.yaml", text.replace(old, new)))
+
+
+def test_running_path_of_2024(written):
+    """Sections are tables; a speed or resistance that is left out goes on as it was."""
+    text = """%YAML 1.2
+---
+schema: https://railtoolkit.org/schema/running-path.json
+schema_version: "2024.07"
+paths:
+  - id: north
+    characteristic_sections:
+      - {position: 500.0, speed: 90, resistance: 2.0}
+      - {position: 900.0, resistance: -4.0}
+      - {position: 1700.0, speed: 45}
+      - {position: 2500.0}
+"""
+    line = read_railtoolkit_path(written("path.yaml", text))
+    assert line.length == 2000.0
+    assert points(line.speed_limit) == [(0.0, 25.0), (1200.0, 12.5)]
+    assert points(line.gradient) == [(0.0, 0.002), (400.0, -0.004)]
+    with pytest.raises(RailgripError, match="characteristic_sections: must hold rows"):
+        read_railtoolkit_path(written("path.yaml", text.replace("speed: 90, ", "")))
 
 
 def test_ttobench_trains_and_journey(written):
