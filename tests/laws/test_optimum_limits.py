@@ -167,3 +167,34 @@ def test_a_fading_brake_is_no_step():
     leg = LegProblem(journey(train, 8e3, gradient=-0.004), 0.0, 8e3, 0.0, 0.0)
     energies = [leg.energy_of(leg.for_time(leg.least_time * (1 + s))) for s in (0.1, 0.15, 0.2)]
     assert all(b < a for a, b in pairwise(energies))
+
+
+def test_an_efficiency_map_counts_and_steers_by_its_means():
+    """An even map is a constant; one that is poor at part load costs what it says, run by run."""
+    from railgrip.campaign.driving import driven
+    from railgrip.campaign.optimum.mapped import by_the_map
+
+    speeds, shares = [0.0, 60.0], [0.0, 0.5, 1.0]
+    plain = {"resistance": {"constant": 2000.0, "quadratic": 6.0},
+             "effort": {"force": 160e3, "power": 3e6}}  # fmt: skip
+
+    def mapped(*row):
+        chart = {"speed": speeds, "share": shares, "value": [list(row)] * 2}
+        return journey({**plain, "efficiency": {"map": chart}}, 8e3)
+
+    constant = journey({**plain, "efficiency": {"traction": 0.8, "regeneration": 0.8}}, 8e3)
+    time = 420.0
+    even = optimum(mapped(0.8, 0.8, 0.8), time)
+    assert even.energy == pytest.approx(optimum(constant, time).energy, rel=1e-6)
+    assert not even.is_optimal  # nothing is proved of a run with a map
+    poor = mapped(0.5, 0.7, 0.9)
+    run = optimum(poor, time)
+    work = float(run.traction @ np.diff(run.position))
+    (mean, _), energy = by_the_map(poor, run)
+    assert 0.5 < mean < 0.9
+    assert run.energy == pytest.approx(energy) == pytest.approx(work / mean)
+    found = driven(poor.model_copy(update={"supplement": 0.1}))
+    assert found.remarks() == [
+        "The optimum is that of the mean efficiencies; its energy counts the map."
+    ]
+    assert found.ways[-1].energy["pantograph"] < found.ways[0].energy["pantograph"]

@@ -65,7 +65,9 @@ class Driven(NamedTuple):
         found = []
         if self.early > 0.0:
             found.append(f"The optimum arrives {self.early:.1f} s early: no slower run was found.")
-        elif not self.is_optimal:
+        if self.journey.train.efficiency.map is not None:
+            found.append("The optimum is that of the mean efficiencies; its energy counts the map.")
+        elif self.early == 0.0 and not self.is_optimal:
             found.append("No optimum was found for this time: a run between its neighbours stands.")
         return found
 

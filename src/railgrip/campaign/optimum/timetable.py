@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from railgrip.campaign.optimum import grid as units
 from railgrip.campaign.optimum.leg import LegProblem, Profile
+from railgrip.campaign.optimum.mapped import ROUNDS, by_the_map, with_means
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.scenario.journey import Journey
 
@@ -38,7 +39,8 @@ class OptimalRun(NamedTuple):
     asked : float
         Running time asked for, s.
     is_optimal : bool
-        False where a leg has no optimum for its time that was found; see ``early``.
+        False where a leg has no optimum for its time that was found (see ``early``), or where the
+        train has an efficiency map.
     """
 
     position: Array
@@ -73,7 +75,8 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
     ----------
     journey : Journey
         Train, line and stops. Speed limits, gradients (under front or train), tunnels, regeneration
-        and the train's length count; an efficiency map does not.
+        and the train's length count. With an efficiency map the run is the optimum of the mean
+        efficiencies on it (``is_optimal`` false); its energy counts the map.
     time : float, optional
         Running time without dwells, from the least possible, [s]; absent: what the journey asks
         for by ``time`` or ``supplement``.
@@ -114,6 +117,8 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
     >>> round(run.energy / 3.6e6)
     84
     """
+    if journey.train.efficiency.map is not None:
+        return _mapped(journey, time, step)
     legs = _legs(journey, step)
     least = np.array([leg.least_time for leg in legs])
     total = _asked(journey, float(least.sum())) if time is None else float(time)
@@ -130,6 +135,16 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
         times = spread(legs, total)
     runs = [leg.for_time(float(t)) for leg, t in zip(legs, times, strict=True)]
     return _joined(journey, legs, runs, max(total, float(least.sum())))
+
+
+def _mapped(journey: Journey, time: float | None, step: float | None) -> OptimalRun:
+    chain = journey.train.efficiency
+    means, run = (chain.traction, chain.regeneration), None
+    for _ in range(1 + ROUNDS):
+        run = optimum(with_means(journey, means), time, step)
+        means, energy = by_the_map(journey, run)
+    assert run is not None
+    return run._replace(energy=energy, is_optimal=False)
 
 
 def spread(legs: list[LegProblem], total: float) -> Array:
