@@ -30,7 +30,7 @@ def test_energy_is_the_stored_one(row):
 
 
 def test_the_search_on_random_lines_found_nothing():
-    """What docs/driving.md says of `studies/optimum_stress.py`; a part is run again in tests/laws."""
+    """What docs/driving.md says of `studies/optimum_stress.py`; tests/laws runs a part again."""
     file = STORED.with_name("optimum_stress.csv")
     rows = list(csv.DictReader(line for line in file.open(encoding="utf-8") if line[0] != "#"))
     assert len(rows) == 397
