@@ -143,8 +143,8 @@ def test_a_supplement_is_spread_so_that_no_shift_saves():
         assert run.energy < other
 
 
-def test_a_climb_with_a_run_up_has_a_slowest_run():
-    """1142 t on 27 ‰ with 170 kN: whoever takes longer than the run-up allows does not arrive."""
+def climbing():
+    """Return 1142 t on 27 ‰ with 170 kN: only with a run-up."""
     hill = [{"at": 0, "value": 0.0}, {"at": 3000, "value": 0.027}, {"at": 3900, "value": 0.0}]
     train = {
         **PLAIN,
@@ -152,10 +152,35 @@ def test_a_climb_with_a_run_up_has_a_slowest_run():
         "effort": {"force": "170 kN", "power": "6 MW"},
         "friction_brake": "900 kN",
     }
-    leg = LegProblem(Journey(train=train, line=line(6e3, gradient=hill)), 0.0, 6e3, 0.0, 0.0)
-    run = leg.for_time(2.5 * leg.least_time)
-    assert leg.least_time < leg.time_of(run.square) < 2.5 * leg.least_time
+    return Journey(train=train, line=line(6e3, gradient=hill))
+
+
+def test_a_climb_with_a_run_up_takes_any_time():
+    """Slow before and behind it, fast enough at its foot."""
+    leg = LegProblem(climbing(), 0.0, 6e3, 0.0, 0.0)
+    for share in (0.3, 1.5, 4.0):
+        run = leg.for_time((1 + share) * leg.least_time)
+        assert run.is_optimal
+        assert leg.time_of(run.square) == pytest.approx((1 + share) * leg.least_time, rel=1e-6)
     assert leg.energy_of(run) < leg.energy_of(leg.fastest)
+    foot = np.searchsorted(leg.position, 3000.0)
+    # 1142 t lack 132.5 kN over 900 m of the climb, and enter it with what that takes
+    lack = 1142e3 * 9.81 * 0.027 - 170e3
+    assert 50.0 * run.square[foot] * 1142e3 >= lack * 900.0 * (1 - 1e-3)
+
+
+def test_a_run_that_arrives_early_says_so(monkeypatch):
+    """Where no slower run is found, the result names the seconds."""
+    found = LegProblem._newton
+
+    def only_fast(leg, target, price):
+        return None if target * 10.0 > 1.2 * leg.least_time else found(leg, target, price)
+
+    monkeypatch.setattr(LegProblem, "_newton", only_fast)
+    run = optimum(climbing().model_copy(update={"supplement": 1.0}))
+    assert not run.is_optimal
+    assert run.early == pytest.approx(2.0 * run.least_times[0] - run.running_time)
+    assert run.early > 0.8 * run.least_times[0]
 
 
 def test_tunnels_cost_energy_and_regeneration_saves_it():

@@ -51,13 +51,29 @@ class Way(NamedTuple):
 
 
 class Driven(NamedTuple):
-    """All ways of driving a journey, the fastest first, and energy over time of each rule."""
+    """All ways of driving a journey, the fastest first, and energy over time of each rule.
+
+    ``early``, s, and ``is_optimal`` are those of the optimum.
+    """
 
     journey: Journey
     ways: list[Way]
     least_time: float
     tuned: TunedCoasting | None
     curves: dict[str, tuple[Array, Array]]
+    early: float
+    is_optimal: bool
+
+    def remarks(self) -> list[str]:
+        """Return what must be said of the optimum, a sentence each."""
+        found = []
+        if self.early > 0.0:
+            found.append(f"The optimum arrives {self.early:.1f} s early: no slower run was found.")
+        if self.journey.train.efficiency.map is not None:
+            found.append("The optimum is that of the mean efficiencies; its energy counts the map.")
+        elif self.early == 0.0 and not self.is_optimal:
+            found.append("No optimum was found for this time: a run between its neighbours stands.")
+        return found
 
     @property
     def title(self) -> str:
@@ -100,6 +116,7 @@ class Driven(NamedTuple):
             for way in self.ways
         }
         found["optimum"]["least_time"] = self.least_time
+        found["optimum"]["early"], found["optimum"]["is_optimal"] = self.early, self.is_optimal
         if self.tuned is not None and self.tuned.journey.coasting is not None:
             found["coasting_tuned"]["parameters"] = self.tuned.journey.coasting.model_dump()
         return found
@@ -146,7 +163,8 @@ def driven(journey: Journey, *, tune: bool = False, seed: int = 1) -> Driven:
         tuned = tune_coasting(journey, max(best.running_time, flat_out.running_time), seed=seed)
         ways.append(_way("coasting, tuned", tuned.run, tuned.share, indicators(tuned.run)))
     ways.append(_best(journey, best))
-    return Driven(journey, ways, float(best.least_times.sum()), tuned, curves)
+    least = float(best.least_times.sum())
+    return Driven(journey, ways, least, tuned, curves, best.early, best.is_optimal)
 
 
 def _supervised_table(way: Way) -> dict[str, Any]:

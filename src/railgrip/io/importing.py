@@ -11,7 +11,8 @@ from railgrip.core.errors import Problem, RailgripError
 from railgrip.io.line_csv import read_line_csv
 from railgrip.io.osrd import read_osrd_line, read_osrd_train
 from railgrip.io.railml import read_railml
-from railgrip.io.railtoolkit import read_railtoolkit_path, read_railtoolkit_train
+from railgrip.io.railtoolkit import read_railtoolkit_train
+from railgrip.io.railtoolkit_path import read_railtoolkit_path
 from railgrip.io.ttobench import read_ttobench_track
 from railgrip.io.ttobench_train import read_ttobench_journey, read_ttobench_train
 from railgrip.scenario.base import Model
@@ -86,9 +87,13 @@ def read_any(path: Path, tracks: Sequence[str] | None = None) -> Imported:
         timed = read_ttobench_journey(path)
         stops = [stop.model_dump(exclude_defaults=True) for stop in timed.stops]
         text = f"{len(stops)} stops on {timed.track}"
+        if timed.passing:
+            text += f"; {len(timed.passing)} passing points have no place in a journey, left out"
         return Imported("stops", "TTOBench", {"title": timed.track, "stop": stops}, text)
     if "mass" in keys:
         return _model("point train", "TTOBench", read_ttobench_train(path))
+    if not keys & {"metadata", "stops", "speed limits"}:
+        raise RailgripError(Problem(str(path), "is of no known format", allowed=_FORMATS))
     return _model("line", "TTOBench", read_ttobench_track(path))
 
 

@@ -102,7 +102,8 @@ def read_osrd_line(path: str | os.PathLike[str], tracks: Sequence[str] | None = 
     -------
     line : Line
         Slopes (‰ in the file) and curves of the sections, and the speed sections without a
-        restriction to certain trains, the least where several overlap.
+        restriction to certain trains, the least where several overlap; no limit at all where the
+        file has none (a journey then asks for one).
 
     Raises
     ------
@@ -144,9 +145,8 @@ def read_osrd_line(path: str | os.PathLike[str], tracks: Sequence[str] | None = 
         offset += length
     permitted = _steps(limits, offset, lambda values: min(values, default=0.0))
     gaps = [step["at"] for step in permitted if step["value"] == 0.0]
-    if gaps or not permitted:
-        place = f"{gaps[0]:g} m" if gaps else "the whole line"
-        _refuse(file, "speed_sections", "leave a gap", f"no limit from {place}")
+    if gaps:
+        _refuse(file, "speed_sections", "leave a gap", f"no limit from {gaps[0]:g} m")
     return checked(
         Line,
         {

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NamedTuple
 from xml.etree import ElementTree
 from xml.parsers import expat
 
-from railgrip.core.errors import Problem, RailgripError
 from railgrip.io.checked import checked
+from railgrip.io.railml_3 import NetElements, number, refuse
 from railgrip.scenario.line import Line
 
 MOST_BYTES = 200_000_000
@@ -36,14 +36,16 @@ def read_railml(path: str | os.PathLike[str], track: str | None = None) -> Line:
     ----------
     path : str or path
         railML 2.2 to 2.5 (``track`` with ``trackElements``) or 3.1 to 3.3 (``netElement`` with
-        gradient curves and speed sections located on it).
+        gradient curves and speed sections located on it, by intrinsic or by linear coordinates).
     track : str, optional
         Id of the track or net element; absent: the first that has a length.
 
     Returns
     -------
     line : Line
-        Gradients (‰ in the file), speed changes without a train category, radii.
+        Gradients (‰ in the file), speed changes without a train category, radii. Speeds of the
+        other direction and temporary ones of railML 3 are left out; what begins on a net element
+        holds to the next entry there.
 
     Raises
     ------
@@ -56,13 +58,13 @@ def read_railml(path: str | os.PathLike[str], track: str | None = None) -> Line:
     try:
         tracks = _read(file)
     except ElementTree.ParseError as error:
-        _refuse(file, f"is not valid XML: {error}")
+        refuse(file, f"is not valid XML: {error}")
     if not tracks:
-        _refuse(file, "holds no track with a length")
+        refuse(file, "holds no track with a length")
     found = tracks[0] if track is None else next((one for one in tracks if one.name == track), None)
     if found is None:
         known = ", ".join(one.name for one in tracks[:20])
-        _refuse(file, f"track '{track}' unknown", allowed=known)
+        refuse(file, f"track '{track}' unknown", allowed=known)
     edges = [at for at, _ in found.radii[1:]] + [found.length]
     return checked(
         Line,
@@ -88,38 +90,37 @@ def _refuse_doctype(file: Path) -> None:
     class _Done(Exception):  # noqa: N818
         pass
 
-    def refuse(*_: Any) -> None:
-        _refuse(file, "declares a document type, which may hide entities", cure="remove <!DOCTYPE>")
+    def declared(*_: Any) -> None:
+        refuse(file, "declares a document type, which may hide entities", cure="remove <!DOCTYPE>")
 
     def done(*_: Any) -> None:
         raise _Done
 
     parser = expat.ParserCreate()
-    parser.StartDoctypeDeclHandler = refuse
+    parser.StartDoctypeDeclHandler = declared
     parser.StartElementHandler = done
     try:
         if file.is_dir():
-            _refuse(file, "is a folder", cure="name the file in it")
+            refuse(file, "is a folder", cure="name the file in it")
         if file.stat().st_size > MOST_BYTES:
-            _refuse(file, "is too large", allowed=f"up to {MOST_BYTES // 1_000_000} MB")
+            refuse(file, "is too large", allowed=f"up to {MOST_BYTES // 1_000_000} MB")
         with file.open("rb") as stream:
             while chunk := stream.read(_CHUNK):
                 parser.Parse(chunk, False)
     except _Done:
         return
     except FileNotFoundError:
-        _refuse(file, "there is no such file")
+        refuse(file, "there is no such file")
     except OSError as error:
-        _refuse(file, "cannot be read", got=error.strerror or str(error))
+        refuse(file, "cannot be read", got=error.strerror or str(error))
     except expat.ExpatError as error:
-        _refuse(file, f"is not valid XML: {error}")
-    _refuse(file, "is empty")
+        refuse(file, f"is not valid XML: {error}")
+    refuse(file, "is empty")
 
 
 def _read(file: Path) -> list[_Track]:
     tracks: list[_Track] = []
-    located: dict[str, dict[str, list[tuple[float, float]]]] = {}
-    lengths: dict[str, float] = {}
+    three = NetElements(file)
     is_first = True
     for event, element in ElementTree.iterparse(file, events=("start", "end")):
         tag = element.tag.rpartition("}")[2]
@@ -128,7 +129,7 @@ def _read(file: Path) -> list[_Track]:
             version = element.get("version", "")
             if tag.lower() != "railml" or version[:3] not in _VERSIONS:
                 where = f"railml.version: is none that can be read (root element '{tag[:40]}')"
-                _refuse(file, where, got=repr(version[:40]), allowed="2.2 to 2.5, 3.1 to 3.3")
+                refuse(file, where, got=repr(version[:40]), allowed="2.2 to 2.5, 3.1 to 3.3")
         if event == "start":
             continue
         if tag == "track" and element.find(".//{*}trackTopology") is not None:
@@ -136,21 +137,10 @@ def _read(file: Path) -> list[_Track]:
             if one.length > 0.0:
                 tracks.append(one)
             element.clear()
-        elif tag == "netElement" and element.get("length") is not None:
-            lengths[element.get("id", "")] = _number(file, element, "length")
-        elif tag in ("gradientCurve", "speedSection", "horizontalCurve"):
-            _located_3(file, tag, element, located)
+        elif three.take(tag, element):
             element.clear()
-    for name, length in lengths.items():
-        if length > 0.0:
-            parts = located.get(name, {})
-            tracks.append(
-                _Track(
-                    name, length,
-                    *(sorted(parts.get(tag, [])) for tag in
-                      ("gradientCurve", "speedSection", "horizontalCurve")),
-                )
-            )  # fmt: skip
+    for name, length, (gradients, speeds, radii) in three.rows():
+        tracks.append(_Track(name, length, gradients, speeds, radii))
     return tracks
 
 
@@ -159,11 +149,11 @@ def _track_2(file: Path, element: Any) -> _Track:
     end = element.find(".//{*}trackTopology/{*}trackEnd")
     if begin is None or end is None:
         return _Track(element.get("id", ""), 0.0, [], [], [])
-    zero, last = _number(file, begin, "pos"), _number(file, end, "pos")
+    zero, last = number(file, begin, "pos"), number(file, end, "pos")
 
     def rows(tag: str, value: str) -> list[tuple[float, float]]:
         return sorted(
-            (_number(file, one, "pos") - zero, _number(file, one, value))
+            (number(file, one, "pos") - zero, number(file, one, value))
             for one in element.iterfind(f".//{{*}}trackElements//{{*}}{tag}")
             if one.get(value) is not None
             and one.get("trainCategory") is None
@@ -178,32 +168,6 @@ def _track_2(file: Path, element: Any) -> _Track:
     )  # fmt: skip
 
 
-def _located_3(file: Path, tag: str, element: Any, located: Any) -> None:
-    key = {"gradientCurve": "gradient", "speedSection": "maxSpeed", "horizontalCurve": "radius"}[
-        tag
-    ]
-    if element.get(key) is None:
-        return
-    value = _number(file, element, key)
-    for place in element.iterfind(".//{*}associatedNetElement"):
-        name = place.get("netElementRef", "")
-        begin = place.get("posBegin") if place.get("posBegin") is not None else place.get("pos")
-        at = 0.0 if begin is None else _number(file, place, "posBegin", begin)
-        located.setdefault(name, {}).setdefault(tag, []).append((at, value))
-
-
-def _number(file: Path, element: Any, key: str, text: str | None = None) -> float:
-    text = element.get(key) if text is None else text
-    try:
-        number = float(text)
-    except (TypeError, ValueError):
-        number = float("nan")
-    if not abs(number) < 1e9:
-        tag = element.tag.rpartition("}")[2]
-        _refuse(file, f"{tag}.{key}: must be a number", got=repr(text)[:60])
-    return number
-
-
 def _steps(rows: list[tuple[float, float]], scale: float) -> list[dict[str, float]]:
     found: list[dict[str, float]] = []
     for at, value in rows:
@@ -212,7 +176,3 @@ def _steps(rows: list[tuple[float, float]], scale: float) -> list[dict[str, floa
         elif not found or found[-1]["value"] != value * scale:
             found.append({"at": at, "value": value * scale})
     return found
-
-
-def _refuse(file: Path, what: str, got: str = "", allowed: str = "", cure: str = "") -> NoReturn:
-    raise RailgripError(Problem(str(file), what, got, allowed, cure))

@@ -1,4 +1,4 @@
-"""Reads trains, rolling stock and running paths of railtoolkit (YAML, schema 2022.05)."""
+"""Reads trains and rolling stock of railtoolkit (YAML, schema 2022.05)."""
 
 from __future__ import annotations
 
@@ -6,16 +6,12 @@ import os
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
-from railgrip.core.errors import Problem, RailgripError
 from railgrip.io.checked import checked
-from railgrip.scenario.files import check_depth, read_text
-from railgrip.scenario.line import Line
+from railgrip.io.railtoolkit_document import document_of, refuse
 from railgrip.scenario.point_train import PointTrain
 
-_SCHEMAS = {"rolling-stock", "running-path"}
-_VERSION = "2022.05"
 _PER_MILLE = 9.81e-3
 _WIND = 15 / 3.6
 """Head wind that the air resistance counts in, m/s."""
@@ -73,21 +69,21 @@ def read_railtoolkit_train(
     (88000.0, 1704)
     """
     file = Path(path)
-    document = _document(file, "rolling-stock")
+    document = document_of(file, "rolling-stock")
     known = _vehicles(document, file)
     for other in vehicles:
-        known |= _vehicles(_document(Path(other), "rolling-stock"), Path(other))
+        known |= _vehicles(document_of(Path(other), "rolling-stock"), Path(other))
     title = ""
     if formation is None:
         trains = document.get("trains")
         if not isinstance(trains, list) or not trains or not isinstance(trains[0], dict):
-            _refuse(file, "trains", "is missing", cure="name a formation")
+            refuse(file, "trains", "is missing", cure="name a formation")
         formation, title = trains[0].get("formation") or (), str(trains[0].get("name", ""))
     if not isinstance(formation, Sequence) or isinstance(formation, str):
-        _refuse(file, "formation", "must be a list of vehicles")
+        refuse(file, "formation", "must be a list of vehicles")
     missing = [word for word in map(str, formation) if word not in known]
     if missing or not formation:
-        _refuse(
+        refuse(
             file, "formation", f"vehicle '{missing[0]}' unknown" if missing else "is empty",
             allowed=", ".join(sorted(known)),
         )  # fmt: skip
@@ -98,7 +94,7 @@ def _train(file: Path, title: str, cars: list[dict[str, Any]]) -> dict[str, Any]
     def number(car: dict[str, Any], key: str, default: float | None = None) -> float:
         value = car.get(key, default)
         if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > 1e9:
-            _refuse(file, f"vehicle {car.get('id')}.{key}", "must be a number", got=repr(value))
+            refuse(file, f"vehicle {car.get('id')}.{key}", "must be a number", got=repr(value))
         return float(value)
 
     is_passenger = any(car.get("vehicle_type") in _PASSENGER for car in cars)
@@ -125,7 +121,7 @@ def _train(file: Path, title: str, cars: list[dict[str, Any]]) -> dict[str, Any]
     efforts = Counter(id(car) for car in cars if car.get("tractive_effort"))
     pulling = {id(car): car for car in cars if car.get("tractive_effort")}
     if len(pulling) != 1:
-        _refuse(file, "tractive_effort", "must stand at one kind of vehicle", got=f"{len(pulling)}")
+        refuse(file, "tractive_effort", "must stand at one kind of vehicle", got=f"{len(pulling)}")
     ((key, engine),) = pulling.items()
     rows = engine["tractive_effort"]
     if (
@@ -133,7 +129,7 @@ def _train(file: Path, title: str, cars: list[dict[str, Any]]) -> dict[str, Any]
         or any(not isinstance(row, list) or len(row) != 2 for row in rows)
         or any(isinstance(x, bool) or not isinstance(x, int | float) for row in rows for x in row)
     ):
-        _refuse(file, "tractive_effort", "must hold pairs of speed and force")
+        refuse(file, "tractive_effort", "must hold pairs of speed and force")
     braking = [-number(car, "a_braking") for car in cars if "a_braking" in car]
     return {
         "title": title or str(engine.get("name", "")),
@@ -155,97 +151,8 @@ def _train(file: Path, title: str, cars: list[dict[str, Any]]) -> dict[str, Any]
     }
 
 
-def read_railtoolkit_path(path: str | os.PathLike[str], name: str | None = None) -> Line:
-    """Return the line of a running path.
-
-    Parameters
-    ----------
-    path : str or path
-        A file with ``paths``.
-    name : str, optional
-        Id of the path; absent: the first.
-
-    Returns
-    -------
-    line : Line
-        Path resistance as gradient; it begins at 0 whatever the first station is.
-
-    Raises
-    ------
-    RailgripError
-        ``path.yaml: schema_version: is none that can be read; got '2023.01'; allowed: 2022.05``
-
-    Examples
-    --------
-    >>> from railgrip.data import path
-    >>> read_railtoolkit_path(path("lines", "slope")).gradient[3].value
-    0.005
-    """
-    file = Path(path)
-    document = _document(file, "running-path")
-    paths = document.get("paths")
-    if not isinstance(paths, list) or not all(isinstance(one, dict) for one in paths) or not paths:
-        _refuse(file, "paths", "is missing")
-    found = [one for one in paths if name is None or one.get("id") == name]
-    if not found:
-        known = ", ".join(str(one.get("id")) for one in paths)
-        _refuse(file, "paths", f"path '{name}' unknown", allowed=known)
-    rows = found[0].get("characteristic_sections")
-    if (
-        not isinstance(rows, list) or len(rows) < 2
-        or any(not isinstance(row, list) or len(row) != 3 for row in rows)
-        or any(not isinstance(x, int | float) or isinstance(x, bool) for row in rows for x in row)
-    ):  # fmt: skip
-        _refuse(file, "characteristic_sections", "must hold rows of station, speed and resistance")
-    zero = rows[0][0]
-    return checked(
-        Line,
-        {
-            "title": str(found[0].get("name", ""))[:200],
-            "source": "railtoolkit, schema 2022.05",
-            "length": rows[-1][0] - zero,
-            "speed_limit": _changes([(at - zero, v / 3.6) for at, v, _ in rows[:-1]]),
-            "gradient": _changes([(at - zero, slope * 1e-3) for at, _, slope in rows[:-1]]),
-        },
-        file,
-    )
-
-
-def _changes(rows: list[tuple[float, float]]) -> list[dict[str, float]]:
-    kept = [row for k, row in enumerate(rows) if k == 0 or row[1] != rows[k - 1][1]]
-    return [{"at": at, "value": value} for at, value in kept]
-
-
-def _document(file: Path, wanted: str) -> dict[str, Any]:
-    import yaml
-
-    try:
-        document = yaml.safe_load(read_text(file))
-    except yaml.YAMLError as error:
-        reason = str(error).splitlines()[0]
-        raise RailgripError(Problem(str(file), f"is not valid YAML: {reason}")) from None
-    except (RecursionError, ValueError):
-        raise RailgripError(Problem(str(file), "is not valid YAML")) from None
-    if not isinstance(document, dict):
-        _refuse(file, "", "must hold a table")
-    check_depth(document, str(file))
-    schema = str(document.get("schema", ""))
-    if f"/{wanted}.json" not in schema:
-        _refuse(file, "schema", f"is not that of a {wanted} file", got=repr(schema)[:80])
-    if str(document.get("schema_version")) != _VERSION:
-        _refuse(
-            file, "schema_version", "is none that can be read",
-            got=repr(document.get("schema_version"))[:40], allowed=_VERSION,
-        )  # fmt: skip
-    return document
-
-
 def _vehicles(document: dict[str, Any], file: Path) -> dict[str, dict[str, Any]]:
     cars = document.get("vehicles")
     if not isinstance(cars, list) or not all(isinstance(car, dict) for car in cars):
-        _refuse(file, "vehicles", "is missing")
+        refuse(file, "vehicles", "is missing")
     return {str(car.get("id")): car for car in cars}
-
-
-def _refuse(file: Path, where: str, what: str, **more: str) -> NoReturn:
-    raise RailgripError(Problem(f"{file}: {where}" if where else str(file), what, **more))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -11,6 +12,26 @@ from railgrip.io.checked import checked
 from railgrip.io.ttobench_document import Document
 from railgrip.scenario.line import LineStop
 from railgrip.scenario.point_train import PointTrain
+
+
+class PassingPoint(NamedTuple):
+    """A place that is passed, SI; nan: free.
+
+    Attributes
+    ----------
+    at : float
+        Position, m.
+    earliest, latest : float
+        When, counted from the start, s.
+    slowest, fastest : float
+        How fast, m/s.
+    """
+
+    at: float
+    earliest: float
+    latest: float
+    slowest: float
+    fastest: float
 
 
 class TimedStops(NamedTuple):
@@ -24,11 +45,14 @@ class TimedStops(NamedTuple):
         With the shortest dwell that the departure allows.
     arrival : tuple of (float, float)
         Earliest and latest arrival at each stop, counted from the start, s; nan: free.
+    passing : tuple of PassingPoint
+        Between the stops. Journeys do not keep them; what is driven can be compared with them.
     """
 
     track: str
     stops: tuple[LineStop, ...]
     arrival: tuple[tuple[float, float], ...]
+    passing: tuple[PassingPoint, ...] = ()
 
 
 def read_ttobench_train(path: str | os.PathLike[str]) -> PointTrain:
@@ -108,9 +132,7 @@ def read_ttobench_train(path: str | os.PathLike[str]) -> PointTrain:
 
 
 def read_ttobench_journey(path: str | os.PathLike[str]) -> TimedStops:
-    """Return stops, dwells and arrival windows of a journey file of TTOBench.
-
-    Passing points between the stops are not read.
+    """Return stops, dwells, arrival windows and passing points of a journey file of TTOBench.
 
     Parameters
     ----------
@@ -154,4 +176,7 @@ def read_ttobench_journey(path: str | os.PathLike[str]) -> TimedStops:
         else:
             stops.append(checked(LineStop, {"at": at, "dwell": 0.0}, file.path))
             windows.append((earliest, latest))
-    return TimedStops(file.text("associated track"), tuple(stops), tuple(windows))
+    passing = tuple(PassingPoint(*row) for row in rows if row not in halts)
+    if any(b.at < a.at for a, b in pairwise(passing)):
+        file.refuse("timing points", "must ascend by position")
+    return TimedStops(file.text("associated track"), tuple(stops), tuple(windows), passing)

@@ -58,6 +58,7 @@ def page(found: Any) -> str:
         [
             heading(found.title, notice, sources),
             table(head, rows),
+            *(f"<p>{remark}</p>" for remark in found.remarks()),
             "<h2>Speed over distance</h2>",
             _figure((10, 4.5), "speed", lambda axes: draw_speeds(axes, journey, runs, curves)),
             "<h2>Energy over time</h2>",

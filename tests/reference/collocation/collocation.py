@@ -52,13 +52,21 @@ def steps(rows, places, scale):
     return value[np.searchsorted(at, places, "right") - 1]
 
 
-def solve(train, line, begin, end, time=None, step=20.0, final=1.0):
-    """Return (energy J, time s); the least time if none is asked for."""
+def solve(train, line, begin, end, time=None, step=20.0, final=1.0, power_at="ends"):
+    """Return the least energy for a time, J; the least time, s, if none is asked for.
+
+    ``line`` is a shipped name or a table with "speed limits", "gradients" and "drags" (from,
+    to, N s²/m² more) of the same shape. ``power_at``: limits of power hold at both "ends" of each
+    interval, or in the "middle" of it. The force is constant there, so the former takes a share of
+    the step off the train's power.
+    """
     import casadi as ca
 
-    file = read("lines", line)
-    marks = [row[0] for row in file["speed limits"]["values"] if begin < row[0] < end]
-    edges = [begin, *marks, end]
+    file = read("lines", line) if isinstance(line, str) else line
+    tunnels = file.get("drags", [])
+    marks = {row[0] for row in file["speed limits"]["values"]}
+    marks |= {at for tunnel in tunnels for at in tunnel[:2]}
+    edges = [begin, *sorted(mark for mark in marks if begin < mark < end), end]
     parts = [
         np.linspace(a, b, max(1, int(np.ceil((b - a) / step))) + 1)[:-1]
         for a, b in itertools.pairwise(edges)
@@ -81,6 +89,8 @@ def solve(train, line, begin, end, time=None, step=20.0, final=1.0):
     z = ca.MX.sym("z", n + 1)
     pull, motor, friction = (ca.MX.sym(name, n) for name in ("pull", "motor", "friction"))
     r0, r1, r2 = train["resistance"]
+    for enters, leaves, drag in tunnels:
+        r2 = r2 + np.where((enters <= middle) & (middle < leaves), drag, 0.0)
 
     def change(square):
         resists = (r0 + r1 * ca.sqrt(square) + r2 * square) / m
@@ -93,11 +103,15 @@ def solve(train, line, begin, end, time=None, step=20.0, final=1.0):
     seconds = ca.sum1(2 * width / (ca.sqrt(first) + ca.sqrt(last)))
     energy = ca.sum1(width * (pull / train["drive"] - train["back"] * motor))
     acceleration = (last - first) / (2 * width)
-    conditions = [defect, acceleration, pull * ca.sqrt(first), pull * ca.sqrt(last)]
+    if power_at == "ends":
+        paces = (ca.sqrt(first), ca.sqrt(last))
+    else:
+        paces = (ca.sqrt(0.5 * (first + last)),) * 2
+    conditions = [defect, acceleration, *(pull * pace for pace in paces)]
     power, back = train["power"] / m, train["motor_power"] / m
     low = [np.zeros(n), np.full(n, -train["down"]), np.zeros(n), np.zeros(n)]
     high = [np.zeros(n), np.full(n, train["up"]), np.full(n, power), np.full(n, power)]
-    conditions += [motor * ca.sqrt(first), motor * ca.sqrt(last)]
+    conditions += [motor * pace for pace in paces]
     low += [np.zeros(n), np.zeros(n)]
     high += [np.full(n, back), np.full(n, back)]
     if time is not None:

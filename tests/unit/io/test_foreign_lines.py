@@ -1,5 +1,6 @@
 import contextlib
 import json
+import math
 
 import pytest
 
@@ -9,7 +10,8 @@ from railgrip.io.importing import read_any
 from railgrip.io.line_csv import read_line_csv
 from railgrip.io.osrd import read_osrd_line, read_osrd_train
 from railgrip.io.railml import read_railml
-from railgrip.io.railtoolkit import read_railtoolkit_path, read_railtoolkit_train
+from railgrip.io.railtoolkit import read_railtoolkit_train
+from railgrip.io.railtoolkit_path import read_railtoolkit_path
 from railgrip.io.ttobench_train import read_ttobench_journey, read_ttobench_train
 
 RAILML_2 = """<?xml version="1.0"?>
@@ -167,6 +169,74 @@ def test_bad_railml(written, text, sentence):
         read_railml(written("line.xml", text))
 
 
+RAILML_31 = """<?xml version="1.0"?>
+<railML xmlns="https://www.railml.org/schemas/3.1" version="3.1">
+<infrastructure>
+<topology>
+<netElements>
+<netElement id="n1" length="800">
+<associatedPositioningSystem id="a1">
+<intrinsicCoordinate id="i0" intrinsicCoord="0">
+<linearCoordinate positioningSystemRef="km" measure="1500"/>
+</intrinsicCoordinate>
+<intrinsicCoordinate id="i1" intrinsicCoord="1">
+<linearCoordinate positioningSystemRef="km" measure="2300"/>
+</intrinsicCoordinate>
+</associatedPositioningSystem>
+</netElement>
+<netElement id="n2"/>
+</netElements>
+</topology>
+<functionalInfrastructure>
+<speeds>
+<speedSection id="s1" vMax="90">
+<linearLocation id="l1" applicationDirection="normal">
+<associatedNetElement netElementRef="n1">
+<linearCoordinateBegin positioningSystemRef="km" measure="1500"/>
+</associatedNetElement>
+<associatedNetElement netElementRef="n2" fromPos="0"/>
+</linearLocation>
+</speedSection>
+<speedSection id="s2" vMax="45">
+<linearLocation id="l2" applicationDirection="both">
+<associatedNetElement netElementRef="n1">
+<linearCoordinateBegin positioningSystemRef="km" measure="2100"/>
+</associatedNetElement>
+</linearLocation>
+</speedSection>
+<speedSection id="s3" vMax="20">
+<linearLocation id="l3" applicationDirection="reverse">
+<associatedNetElement netElementRef="n1" fromPos="100"/>
+</linearLocation>
+</speedSection>
+<speedSection id="s4" vMax="10" isTemporary="true">
+<linearLocation id="l4" applicationDirection="normal">
+<associatedNetElement netElementRef="n1" fromPos="200"/>
+</linearLocation>
+</speedSection>
+</speeds>
+<tracks>
+<track id="t2">
+<linearLocation id="l5">
+<associatedNetElement netElementRef="n2"/>
+</linearLocation>
+<length type="physical" value="1224.45"/>
+</track>
+</tracks>
+</functionalInfrastructure>
+</infrastructure>
+</railML>"""
+
+
+def test_railml_3_by_linear_coordinates(written):
+    """Shape of railML 3.1 exports: measures of a system, lengths at the tracks, both directions."""
+    file = written("line.xml", RAILML_31)
+    first, second = read_railml(file, "n1"), read_railml(file, "n2")
+    assert points(first.speed_limit) == [(0.0, 25.0), (600.0, 12.5)]
+    assert second.length == pytest.approx(1224.45)
+    assert points(second.speed_limit) == [(0.0, 25.0)]
+
+
 def test_unknown_track_names_the_known(written):
     with pytest.raises(RailgripError, match="track 't2' unknown; allowed: t1"):
         read_railml(written("line.xml", RAILML_2), "t2")
@@ -210,6 +280,8 @@ def test_osrd_limits_with_gaps_and_unknown_sections(written):
         RailgripError, match="speed_sections: leave a gap; got no limit from 1000 m"
     ):
         read_osrd_line(written("infra.json", infra), ["TA", "TB"])
+    infra["speed_sections"] = []  # most example infrastructures have none
+    assert read_osrd_line(written("infra.json", infra), ["TA"]).speed_limit == ()
     with pytest.raises(RailgripError, match="section 'TX' unknown; allowed: TA, TB"):
         read_osrd_line(written("infra.json", osrd_infra()), ["TX"])
 
@@ -253,6 +325,28 @@ def test_bad_railtoolkit_paths(written, old, new, sentence):
         read_railtoolkit_path(written("path.yaml", text.replace(old, new)))
 
 
+def test_running_path_of_2024(written):
+    """Sections are tables; a speed or resistance that is left out goes on as it was."""
+    text = """%YAML 1.2
+---
+schema: https://railtoolkit.org/schema/running-path.json
+schema_version: "2024.07"
+paths:
+  - id: north
+    characteristic_sections:
+      - {position: 500.0, speed: 90, resistance: 2.0}
+      - {position: 900.0, resistance: -4.0}
+      - {position: 1700.0, speed: 45}
+      - {position: 2500.0}
+"""
+    line = read_railtoolkit_path(written("path.yaml", text))
+    assert line.length == 2000.0
+    assert points(line.speed_limit) == [(0.0, 25.0), (1200.0, 12.5)]
+    assert points(line.gradient) == [(0.0, 0.002), (400.0, -0.004)]
+    with pytest.raises(RailgripError, match="characteristic_sections: must hold rows"):
+        read_railtoolkit_path(written("path.yaml", text.replace("speed: 90, ", "")))
+
+
 def test_ttobench_trains_and_journey(written):
     train = read_ttobench_train(data.path("point_trains", "flirt_tpf"))
     assert train.resistance.quadratic == pytest.approx(0.00093264e3 * 12.96)
@@ -290,7 +384,28 @@ def test_what_is_imported_comes_back_from_toml(kind, name, written):
         assert len(table["stop"]) == 3
 
 
+def test_ttobench_passing_points(written):
+    file = data.path("journeys", "st_gallen_wil_01")
+    shipped = read_ttobench_journey(file).passing
+    assert shipped
+    assert all(0.0 < point.at < 29556.1 for point in shipped)
+    document = json.loads(file.read_text(encoding="utf-8"))
+    document["timing points"]["values"].insert(1, [123.0, 30.0, None, 0.0, 80.0])
+    path = written("journey.json", document)
+    first = read_ttobench_journey(path).passing[0]
+    unit = document["timing points"]["units"]["upper speed constraint"]
+    assert (first.at, first.earliest) == (123.0, 30.0)
+    assert first.fastest == pytest.approx(80.0 / {"km/h": 3.6, "m/s": 1.0}[unit])
+    assert math.isnan(first.latest)
+    count = len(shipped) + 1
+    assert read_any(path).summary.endswith(
+        f"{count} passing points have no place in a journey, left out"
+    )
+
+
 def test_a_format_that_is_not_known(written):
+    with pytest.raises(RailgripError, match="is of no known format; allowed: JSON"):
+        read_any(written("notes.json", {"a": 1}))
     with pytest.raises(RailgripError, match="is of no known format; allowed: JSON"):
         read_any(written("line.kml", "x"))
 

@@ -78,6 +78,8 @@ def drive(
         return 0
     head, *rows = found.summary()
     print_table(found.title, head, rows)
+    for remark in found.remarks():
+        print(remark)
     times = {way.name: way.running_times for way in found.ways}
     print_table("Running times", ["from – to", *times], leg_rows(found.journey, times))
     print_table("Energy, kWh", ["", *(way.name for way in found.ways)], energy_rows(found))

@@ -77,7 +77,7 @@ def conditions(grid: Any, i: int, z: Any, motor: float, friction: float, work: A
     bend[5] = bend_b
     value[6], value[7] = friction, limits[4] - friction
     gradient[6, 3], gradient[7, 3] = 1.0, -1.0
-    value[8], value[9] = limits[5] - a, limits[6] + a
+    value[8], value[9] = grid.gain[i] - a, grid.loss[i] + a
     gradient[8, 0], gradient[8, 1] = steep, -steep
     gradient[9, 0], gradient[9, 1] = -steep, steep
     return p

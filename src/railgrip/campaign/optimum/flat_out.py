@@ -38,7 +38,7 @@ def _flat_out(grid: Any, z: Any) -> int:
             brakes = open_force(grid.brake, grid.bounds[3], speed)
             if grid.given[6]:
                 brakes += grid.bounds[4]
-            if a >= -grid.bounds[6] and a + resistance_at(grid, i, square) >= -brakes:
+            if a >= -grid.loss[i] and a + resistance_at(grid, i, square) >= -brakes:
                 low = middle
                 if halving == 0:
                     break
@@ -54,7 +54,7 @@ def _flat_out(grid: Any, z: Any) -> int:
             square = 0.5 * (middle + z[i])
             a = 0.5 * (middle - z[i]) / grid.width[i]
             pull = open_force(grid.effort, grid.bounds[2], sqrt(square))
-            if a <= grid.bounds[5] and a + resistance_at(grid, i, square) <= pull:
+            if a <= grid.gain[i] and a + resistance_at(grid, i, square) <= pull:
                 low = middle
                 if halving == 0:
                     break

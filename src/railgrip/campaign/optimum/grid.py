@@ -23,8 +23,12 @@ FINEST, COARSEST, NODES = 2.0, 10.0, 5000
 """Distance of nodes, m: that of so many nodes a leg, but within these bounds."""
 NEAR = 0.25
 """An additional node is left out where another is nearer, m."""
-LITTLE = 1e-3
-"""The least force that a limit leaves open, m/s²: a limit of nothing has no inside."""
+SLIVER = 0.02
+"""The least share of an interval that a node in it cuts off."""
+SHARP = 0.02
+"""A change of acceleration that counts as a turn, m/s²."""
+AT_ONCE = 0.2
+"""A motors' brake that fades all at once does so over so much speed, m/s."""
 
 
 class Grid(NamedTuple):
@@ -38,12 +42,16 @@ class Grid(NamedTuple):
     """Coefficient of the square of the speed in each interval."""
     limit: Array
     """Square of the permitted speed at each node."""
+    gain: Array
+    """The greatest acceleration in each interval: what is preset, or what a steep fall gives."""
+    loss: Array
+    """The greatest deceleration: what is preset, or what a steep climb takes."""
     effort: Array
     """Pieces of the effort (speed, c0, c1, c2), without the constant limit of the force."""
     brake: Array
     """The same of the motors' brake."""
     bounds: Array
-    """constant, linear, effort, brake, friction, acceleration, deceleration, drive, return."""
+    """constant, linear, effort, brake, friction, drive, return."""
     given: NDArray[np.bool_]
     """Which of the ten conditions of an interval there are."""
 
@@ -51,13 +59,11 @@ class Grid(NamedTuple):
 def nodes(journey: Journey, begin: float, end: float, step: float | None = None) -> Array:
     """Return the positions of the nodes of a leg, m.
 
-    Every change of a limit and both ends of every tunnel are nodes; towards the stops they lie
-    closer.
+    Every change of a limit, a gradient or a tunnel is a node; towards the stops they lie closer.
     """
     if step is None:
         step = min(max((end - begin) / NODES, FINEST), COARSEST)
-    marks = {at for at, _ in limits(journey)}
-    marks |= {x for tunnel in journey.line.tunnel for x in (tunnel.begin, tunnel.end)}
+    marks = {at for at, _ in limits(journey)} | set(Sections(journey).position.tolist())
     edges = [begin, *sorted(mark for mark in marks if begin < mark < end), end]
     parts = [
         np.linspace(a, b, max(1, int(np.ceil((b - a) / step))) + 1)[:-1] for a, b in pairwise(edges)
@@ -71,6 +77,24 @@ def nodes(journey: Journey, begin: float, end: float, step: float | None = None)
     right = np.clip(np.searchsorted(base, extra), 1, base.size - 1)
     gap = np.minimum(np.abs(base[right] - extra), np.abs(base[right - 1] - extra))
     return np.unique(np.concatenate([base, extra[gap > NEAR]]))
+
+
+def with_turns(places: Array, square: Array) -> Array:
+    """Return the nodes and one more wherever the run turns from pulling to holding or braking.
+
+    There the square of speed has a peak or a corner. Between nodes it would be cut off, and the
+    fastest run would be short of its energy by a share of the distance of the nodes.
+    """
+    width = np.diff(places)
+    steep = np.diff(square) / width
+    before, after = steep[:-2], steep[2:]
+    bend = before - after
+    with np.errstate(divide="ignore", invalid="ignore"):
+        # where the lines of the two neighbouring intervals meet
+        along = (square[2:-1] - square[1:-2] - after * width[1:-1]) / bend
+    inside = (along > SLIVER * width[1:-1]) & (along < (1.0 - SLIVER) * width[1:-1])
+    sharp = bend > SHARP * (2.0 / SPEED**2)
+    return np.unique(np.concatenate([places, (places[1:-2] + along)[inside & sharp]]))
 
 
 def grid_of(journey: Journey, places: Array) -> Grid:
@@ -103,8 +127,6 @@ def grid_of(journey: Journey, places: Array) -> Grid:
         most,
         most_brake,
         UNLIMITED if friction is None else friction / mass,
-        UNLIMITED if train.max_acceleration is None else train.max_acceleration,
-        UNLIMITED if deceleration is None else deceleration,
         1.0 / (chain.traction * chain.converter),
         chain.regeneration * chain.converter * motor.receptivity,
     ])  # fmt: skip
@@ -113,11 +135,14 @@ def grid_of(journey: Journey, places: Array) -> Grid:
         has_friction, has_friction and friction is not None,
         train.max_acceleration is not None, deceleration is not None,
     ])  # fmt: skip
+    slope = train.mass * GRAVITY / mass * sections.mean_slope(places)
+    drag = (train.resistance.quadratic + sections.drag_at(middle)) * SPEED**2 / mass
+    resists = slope + bounds[0] + bounds[1] * np.sqrt(here) + drag * here
     return Grid(
-        np.diff(places) / LENGTH,
-        train.mass * GRAVITY / mass * sections.mean_slope(places),
-        (train.resistance.quadratic + sections.drag_at(middle)) * SPEED**2 / mass,
-        limit, effort, brake, bounds, given,
+        np.diff(places) / LENGTH, slope, drag, limit,
+        np.maximum(train.max_acceleration or UNLIMITED, -slope - bounds[0]),
+        np.maximum(deceleration or UNLIMITED, resists),
+        effort, brake, bounds, given,
     )  # fmt: skip
 
 
@@ -125,23 +150,46 @@ def _open(pieces: Array, mass: float) -> tuple[Array, float]:
     """Scale pieces and take the constant limit of the force out of them.
 
     A hyperbola goes on to standstill, where the constant limit holds: each alone is smooth, the
-    lesser of both has a bend. A table of held entries is read as lines between them, which lie
-    below the steps of a falling effort.
+    lesser of both has a bend.
     """
     pieces = pieces.copy()
-    knots = np.append(pieces[1:, 0], pieces[-1, 0] + 1.0)
-    ends = pieces[:, 1] + pieces[:, 2] * knots
     most = float(np.max(np.maximum(pieces[:, 1] + pieces[:, 2] * pieces[:, 0], 0.0)))
     if not np.any(pieces[:, 3]) and np.all(pieces[:, 2] == 0.0) and len(pieces) > 1:
-        slope = np.append(np.diff(pieces[:, 1]) / np.diff(pieces[:, 0]), 0.0)
-        pieces[:, 1] -= slope * pieces[:, 0]
-        pieces[:, 2] = slope
+        pieces = _lines(pieces)
     elif np.any(pieces[:, 3]):
-        flat = (pieces[:, 2] == 0.0) & (pieces[:, 3] == 0.0) & (ends == most)
-        pieces[flat, 3] = pieces[-1, 3]
-        pieces[flat, 1] = 0.0
+        pieces = _hyperbola(pieces, most)
     pieces[:, 0] /= SPEED
     pieces[:, 1] /= mass
     pieces[:, 2] *= SPEED / mass
     pieces[:, 3] /= SPEED * mass
     return pieces, most / mass
+
+
+def _lines(pieces: Array) -> Array:
+    """Return held entries as lines through the middles of their steps: the effort in the mean."""
+    steps, force = pieces[:, 0], pieces[:, 1]
+    middle = 0.5 * (steps[1:] + steps[:-1])
+    speed = np.concatenate([[0.0], middle, [2.0 * steps[-1] - middle[-1]]])
+    force = np.concatenate([force[:1], force])
+    slope = np.append(np.diff(force) / np.diff(speed), 0.0)
+    return np.column_stack([speed, force - slope * speed, slope, np.zeros(speed.size)])
+
+
+def _hyperbola(pieces: Array, most: float) -> Array:
+    """Return a hyperbola alone, below it the line of a fade up to where both meet.
+
+    A limit must not jump: Newton's method would go to and fro over the step.
+    """
+    power = pieces[-1, 3]
+    line = pieces[pieces[:, 2] > 0.0]
+    if len(pieces) > 1 and (line.size or pieces[0, 1] == 0.0):
+        if line.size:
+            c0, c1 = line[0, 1], line[0, 2]
+        else:  # faded at once
+            c1 = pieces[1, 1] / AT_ONCE
+            c0 = -c1 * pieces[1, 0]
+        meet = 0.5 * (np.sqrt(c0 * c0 + 4.0 * c1 * power) - c0) / c1
+    else:  # a tangent, far above the constant limit, so that nothing grows beyond bounds
+        meet = 0.5 * power / most
+        c0, c1 = 2.0 * power / meet, -power / meet**2
+    return np.array([[0.0, c0, c1, 0.0], [meet, 0.0, 0.0, power]])

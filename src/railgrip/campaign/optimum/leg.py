@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from railgrip.campaign.optimum import grid as units
 from railgrip.campaign.optimum.flat_out import DONE, TOO_WEAK, flat_out
 from railgrip.campaign.optimum.newton import FOUND, newton
-from railgrip.campaign.optimum.workspace import new_point, new_work
+from railgrip.campaign.optimum.workspace import Point, new_point, new_work
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.scenario.journey import Journey
 
@@ -23,6 +23,11 @@ SHORT = 1e-4
 _FACTORS = (1.0, 1.5, 2.2, *(0.8**k for k in range(1, 25)))
 """Supplements that are tried in turn, over the one asked for: if it has no run, slower ones to mix
 from, then faster ones."""
+GUESSES = (0.9, 0.3, 0.03)
+"""Shares of the supplement that first guesses use up. A slow one is near, but may not climb; the
+last is nearly the fastest run, which does."""
+TURNS = 2
+"""How often nodes are put to where the fastest run turns from pulling to braking."""
 LOWEST = 1e-4
 """The least square of speed between the stops, in the grid's unit: 0.1 m/s."""
 
@@ -38,12 +43,16 @@ class Profile(NamedTuple):
         Braking by motors and by friction, per dynamic mass.
     price : float
         Of time, W: what a second more would save; nan for the fastest run.
+    is_optimal : bool
+        False where no optimum was found for the time: the run lies between those of other times,
+        or is that of a shorter one.
     """
 
     square: Array
     motor: Array
     friction: Array
     price: float
+    is_optimal: bool = True
 
 
 class LegProblem:
@@ -54,8 +63,17 @@ class LegProblem:
         step: float | None = None,
     ) -> None:  # fmt: skip
         self.position = units.nodes(journey, begin, end, step)
-        self.grid = units.grid_of(journey, self.position)
         self.mass = journey.train.dynamic_mass
+        square = self._fastest(journey, first, final)
+        for _ in range(TURNS):
+            self.position = units.with_turns(self.position, square)
+            square = self._fastest(journey, first, final)
+        self.fastest = self._driven(square)
+        self.least_time = self.time_of(square)
+
+    def _fastest(self, journey: Journey, first: float, final: float) -> Array:
+        """Fill the grid on the nodes and return the squares of speed of the fastest run."""
+        self.grid = units.grid_of(journey, self.position)
         for place, speed in ((0, first), (-1, final)):
             if speed**2 > self.grid.limit[place] * units.SPEED**2 * (1 + 1e-9):
                 raise RailgripError(
@@ -67,8 +85,7 @@ class LegProblem:
         status = flat_out(self.grid, square)
         if status != DONE or asked > square[0] * (1 + 1e-9):
             _refuse(status, self.position)
-        self.fastest = self._driven(square)
-        self.least_time = self.time_of(square)
+        return square
 
     def time_of(self, square: Array) -> float:
         """Return the running time, s."""
@@ -78,7 +95,7 @@ class LegProblem:
     def energy_of(self, run: Profile) -> float:
         """Return the net energy at the pantograph without auxiliaries, J."""
         traction = self.traction_of(run)
-        drawn = self.grid.bounds[7] * traction - self.grid.bounds[8] * run.motor
+        drawn = self.grid.bounds[5] * traction - self.grid.bounds[6] * run.motor
         return float(np.sum(self.grid.width * drawn) * self.mass * units.LENGTH)
 
     def traction_of(self, run: Profile) -> Array:
@@ -106,8 +123,7 @@ class LegProblem:
     def for_time(self, time: float) -> Profile:
         """Return the run of least energy for a time, s.
 
-        Where a climb needs its run-up, no run is slower than some time; a longer one then gives
-        a run that arrives early.
+        Where none is found, the nearest that there is, which says so: ``is_optimal``.
         """
         least = self.least_time
         if not time >= least * (1.0 - SHORT):
@@ -123,9 +139,11 @@ class LegProblem:
         for factor in _FACTORS:
             slower = least * (1.0 + share * factor)
             found = self._newton(slower / units.TIME, np.nan)
-            if found is not None:
-                return found if slower <= time * (1.0 + 1e-12) else self._mixed(found, time)
-        return self.fastest
+            if found is None:
+                continue
+            run = found if slower <= time * (1.0 + 1e-12) else self._mixed(found, time)
+            return run if factor == 1.0 else run._replace(is_optimal=False)
+        return self.fastest._replace(is_optimal=False)
 
     def for_price(self, price: float) -> Profile:
         """Return the run that costs least where a second costs ``price``, W."""
@@ -134,33 +152,41 @@ class LegProblem:
         return self.fastest if found is None else found
 
     def _newton(self, target: float, price: float) -> Profile | None:
-        fastest, grid = self.fastest.square, self.grid
-        least = self.least_time / units.TIME
-        aim = least + 0.9 * (target - least) if target > 0.0 else 1.05 * least
+        """Return the optimum for a time or a price, from one first guess after another."""
+        for aim in GUESSES:
+            work = new_work(np.minimum(LOWEST, 0.5 * self.fastest.square), self.grid.limit)
+            guess = self._guess(target, aim)
+            point = self._point(guess)
+            point.clock[1] = price
+            spare = target - self.time_of(guess) / units.TIME
+            if newton(self.grid, point, work, target, spare) == FOUND:
+                worth = float(work.price[0] if target > 0.0 else price)
+                # what both brakes and traction did against each other is nothing
+                return self._driven(point.square, worth * self.mass * units.LENGTH / units.TIME)
+        return None
+
+    def _guess(self, target: float, aim: float) -> Array:
+        """Return the fastest run, capped so that it takes a share ``aim`` of the supplement."""
+        fastest, least = self.fastest.square, self.least_time / units.TIME
+        wanted = least + aim * ((target - least) if target > 0.0 else 0.055 * least)
         low, high = 1e-2, float(fastest.max())
         for _ in range(50):
             cap = 0.5 * (low + high)
-            slow = self.time_of(np.minimum(fastest, cap)) / units.TIME > aim
+            slow = self.time_of(np.minimum(fastest, cap)) / units.TIME > wanted
             low, high = (cap, high) if slow else (low, cap)
-        guess = np.minimum(fastest, high)
+        return np.asarray(np.minimum(fastest, high))
+
+    def _point(self, guess: Array) -> Point:
+        """Return the point of a first guess of the squares, both brakes a little inside."""
+        grid = self.grid
         brake = np.maximum(-self._wheel(guess), 0.0)
         motor = np.minimum(brake, 0.9 * grid.bounds[3])
         friction = brake - motor
-        point = new_point(
+        return new_point(
             guess,
             motor + 0.01 if grid.given[3] else 0.0 * motor,
             friction + 0.01 if grid.given[6] else 0.0 * friction,
         )
-        work = new_work(np.minimum(LOWEST, 0.5 * fastest), grid.limit)
-        point.clock[1] = price
-        spare = target - self.time_of(guess) / units.TIME
-        if newton(grid, point, work, target, spare) != FOUND:
-            return None
-        worth = (
-            float(work.price[0] if target > 0.0 else price) * self.mass * units.LENGTH / units.TIME
-        )
-        # what both brakes and traction did against each other is nothing
-        return self._driven(point.square, worth)
 
     def _mixed(self, slower: Profile, time: float) -> Profile:
         """Return a run between the fastest and a slower one, mixed in the squares of speed."""

@@ -10,6 +10,10 @@ from railgrip.campaign.optimum.conditions import CONDITIONS, conditions
 OBJECTIVE, TIME, MISFIT, GAP, COUNT = range(5)
 """Places in ``work.found``: what `assemble` finds besides the system."""
 
+LATE = 1e-4
+"""What a second of lateness is paid, in the grid's units, so that the time asked for is used up
+even where it saves nothing. The optimum of that time is the same."""
+
 
 def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> None:
     """Fill the system of the Newton step towards complementarity ``aim``.
@@ -17,8 +21,10 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
     ``point.clock`` is (slack of the time, price of time); ``target`` is the time asked for.
     """
     n = grid.width.shape[0]
-    z, drive, back = point.square, grid.bounds[7], grid.bounds[8]
-    price = point.clock[1]
+    z, drive, back = point.square, grid.bounds[5], grid.bounds[6]
+    price = point.clock[1] - (LATE if target > 0.0 else 0.0)
+    # where a second is worth little, its reward has a curvature of its own: steps stay in bounds
+    convex = max(price, 0.01 * LATE)
     diagonal, beside, rhs, by_time = work.diagonal, work.beside, work.rhs, work.by_time
     for k in range(n + 1):
         diagonal[k] = rhs[k] = by_time[k] = 0.0
@@ -34,8 +40,9 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
         g0, g1 = cost * slope[10, 0], cost * slope[10, 1]
         g2, g3 = cost - width * back, cost
         curve = cost * bend[10]
-        w00 = w01 = w02 = w03 = w11 = w12 = w13 = w22 = w23 = w33 = 0.0
+        weight = work.weight
         for j in range(CONDITIONS):
+            weight[j] = 0.0
             if not grid.given[j]:
                 continue
             s, y = point.slack[i, j], point.dual[i, j]
@@ -43,46 +50,22 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
             misfit = max(misfit, abs(miss))
             gap += s * y
             count += 1
-            ratio = y / s
-            new = y + (aim - s * y) / s - ratio * miss
-            a, b, c, d = slope[j, 0], slope[j, 1], slope[j, 2], slope[j, 3]
-            g0 -= a * new
-            g1 -= b * new
-            g2 -= c * new
-            g3 -= d * new
+            weight[j] = y / s
+            new = y + (aim - s * y) / s - weight[j] * miss
+            g0 -= slope[j, 0] * new
+            g1 -= slope[j, 1] * new
+            g2 -= slope[j, 2] * new
+            g3 -= slope[j, 3] * new
             curve -= y * bend[j]
-            w00 += ratio * a * a
-            w01 += ratio * a * b
-            w02 += ratio * a * c
-            w03 += ratio * a * d
-            w11 += ratio * b * b
-            w12 += ratio * b * c
-            w13 += ratio * b * d
-            w22 += ratio * c * c
-            w23 += ratio * c * d
-            w33 += ratio * d * d
-        curve *= 0.25
-        w00 += curve
-        w01 += curve
-        w11 += curve
-        if not grid.given[3]:
-            w22, w02, w12, w23, g2 = 1.0, 0.0, 0.0, 0.0, 0.0
-        if not grid.given[6]:
-            w33, w03, w13, w23, g3 = 1.0, 0.0, 0.0, 0.0, 0.0
-        # both brakes of the interval are eliminated
-        det = w22 * w33 - w23 * w23
-        i22, i23, i33 = w33 / det, -w23 / det, w22 / det
-        a0, b0 = i22 * w02 + i23 * w03, i23 * w02 + i33 * w03
-        a1, b1 = i22 * w12 + i23 * w13, i23 * w12 + i33 * w13
-        ag, bg = i22 * g2 + i23 * g3, i23 * g2 + i33 * g3
-        kept = work.kept
-        kept[i, 0], kept[i, 1], kept[i, 2] = a0, a1, ag
-        kept[i, 3], kept[i, 4], kept[i, 5] = b0, b1, bg
-        diagonal[i] += w00 - w02 * a0 - w03 * b0
-        beside[i] += w01 - w02 * a1 - w03 * b1
-        diagonal[i + 1] += w11 - w12 * a1 - w13 * b1
-        rhs[i] += g0 - w02 * ag - w03 * bg
-        rhs[i + 1] += g1 - w12 * ag - w13 * bg
+        both = 0.25 * curve + without_brakes(grid, i, slope, weight, g2, g3, work)
+        h0, h1, k = work.spring[0], work.spring[1], work.spring[2]
+        stiff, c = work.spring[3], work.spring[4]
+        steep = (weight[8] + weight[9]) * (0.5 / width) ** 2
+        diagonal[i] += both + steep + stiff * h0 * h0
+        beside[i] += both - steep + stiff * h0 * h1
+        diagonal[i + 1] += both + steep + stiff * h1 * h1
+        rhs[i] += g0 - k * g2 - stiff * h0 * c
+        rhs[i + 1] += g1 - k * g2 - stiff * h1 * c
         # the time 2 width / (v₀ + v₁), convex in the squares
         v0, v1 = sqrt(z[i]), sqrt(z[i + 1])
         total = v0 + v1
@@ -94,10 +77,10 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
         by_time[i] -= once * d0
         by_time[i + 1] -= once * d1
         if v0 > 0.0:
-            diagonal[i] += price * (twice * d0 * d0 + 0.5 * once * d0 / z[i])
+            diagonal[i] += convex * (twice * d0 * d0 + 0.5 * once * d0 / z[i])
         if v1 > 0.0:
-            diagonal[i + 1] += price * (twice * d1 * d1 + 0.5 * once * d1 / z[i + 1])
-        beside[i] += price * twice * d0 * d1
+            diagonal[i + 1] += convex * (twice * d1 * d1 + 0.5 * once * d1 / z[i + 1])
+        beside[i] += convex * twice * d0 * d1
     for k in range(1, n):
         for side in range(2):
             sign = 1.0 if side == 0 else -1.0
@@ -113,13 +96,51 @@ def assemble(grid: Any, point: Any, work: Any, target: float, aim: float) -> Non
     new = price
     if target > 0.0:
         misfit = max(misfit, abs(miss))
-        gap += spare * price
+        gap += spare * point.clock[1]
         count += 1
-        new = price + (aim - spare * price) / spare - price / spare * miss
+        new += (aim - spare * point.clock[1]) / spare - point.clock[1] / spare * miss
     for k in range(1, n):
         rhs[k] += by_time[k] * new
     found = work.found
     found[0], found[1], found[2], found[3], found[4] = objective, seconds, misfit, gap, count
+
+
+def without_brakes(
+    grid: Any, i: int, slope: Any, weight: Any, g2: float, g3: float, work: Any
+) -> float:  # fmt: skip
+    """Eliminate both brakes of an interval; return what is added to all places of its squares.
+
+    Traction p = h·z + r' + f, the motors' brake r = r' − k (z₀ + z₁) and friction f are three
+    springs in a row: the conditions on each make its stiffness, and that of the row is
+    1/(1/ρ + 1/D_r + 1/D_f). Written so, nothing cancels where one is far stiffer than another.
+    ``work.spring`` receives h₀, h₁, k, the stiffness and the pull of both brakes' own costs;
+    ``work.kept[i]`` what gives the steps of the brakes.
+    """
+    effort = slope[2, 0] + slope[0, 0]
+    pull = weight[0] + weight[1] + weight[2]
+    part = weight[2] / pull
+    spread: float = (pull - weight[2]) * part * effort * effort
+    h0, h1 = slope[0, 0] - part * effort, slope[0, 1] - part * effort
+    k = ease_r = ease_f = 0.0
+    if grid.given[3]:
+        hold = weight[3] + weight[4] + weight[5]
+        part, limit = weight[5] / hold, slope[5, 0]
+        spread += (hold - weight[5]) * part * limit * limit
+        k, ease_r = -part * limit, 1.0 / hold
+    if grid.given[6]:
+        ease_f = 1.0 / (weight[6] + weight[7])
+    ease = 1.0 / pull
+    stiff = 1.0 / (ease + ease_r + ease_f)
+    h0 -= k
+    h1 -= k
+    kept, spring = work.kept, work.spring
+    kept[i, 0], kept[i, 1] = stiff * h0 * ease_r + k, stiff * h1 * ease_r + k
+    kept[i, 2] = stiff * (g2 * (ease + ease_f) - g3 * ease_f) * ease_r
+    kept[i, 3], kept[i, 4] = stiff * h0 * ease_f, stiff * h1 * ease_f
+    kept[i, 5] = stiff * (g3 * (ease + ease_r) - g2 * ease_r) * ease_f
+    spring[0], spring[1], spring[2], spring[3] = h0, h1, k, stiff
+    spring[4] = g2 * ease_r + g3 * ease_f
+    return spread
 
 
 def factorise(work: Any, n: int, lift: float) -> bool:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from railgrip.campaign.optimum import grid as units
 from railgrip.campaign.optimum.leg import LegProblem, Profile
+from railgrip.campaign.optimum.mapped import ROUNDS, by_the_map, with_means
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.scenario.journey import Journey
 
@@ -35,6 +36,11 @@ class OptimalRun(NamedTuple):
         Without dwells, s: of this run, and the least possible.
     prices : array (leg)
         What a second more would save in each leg, W; nan where it is the fastest run.
+    asked : float
+        Running time asked for, s.
+    is_optimal : bool
+        False where a leg has no optimum for its time that was found (see ``early``), or where the
+        train has an efficiency map.
     """
 
     position: Array
@@ -47,11 +53,19 @@ class OptimalRun(NamedTuple):
     running_times: Array
     least_times: Array
     prices: Array
+    asked: float
+    is_optimal: bool
 
     @property
     def running_time(self) -> float:
         """Without dwells, s."""
         return float(self.running_times.sum())
+
+    @property
+    def early(self) -> float:
+        """How long before the time asked for it arrives, s: 0 but where no slower run was found."""
+        early = self.asked - self.running_time
+        return early if early > 1e-6 * self.asked else 0.0
 
 
 def optimum(journey: Journey, time: float | None = None, step: float | None = None) -> OptimalRun:
@@ -61,11 +75,11 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
     ----------
     journey : Journey
         Train, line and stops. Speed limits, gradients (under front or train), tunnels, regeneration
-        and the train's length count; an efficiency map does not.
+        and the train's length count. With an efficiency map the run is the optimum of the mean
+        efficiencies on it (``is_optimal`` false); its energy counts the map.
     time : float, optional
         Running time without dwells, from the least possible, [s]; absent: what the journey asks
-        for by ``time`` or ``supplement``. Where a climb needs its run-up there is a slowest run
-        too; a longer time then gives a run that arrives early.
+        for by ``time`` or ``supplement``.
     step : float, optional
         Distance of the nodes, [m]; absent: leg/5000, from 2 to 10 m.
 
@@ -73,6 +87,7 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
     -------
     run : OptimalRun
         Between several stops the supplement is spread so that a second is worth the same in all.
+        ``run.early`` and ``run.is_optimal`` tell where the time could not be used up.
 
     Raises
     ------
@@ -102,6 +117,8 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
     >>> round(run.energy / 3.6e6)
     84
     """
+    if journey.train.efficiency.map is not None:
+        return _mapped(journey, time, step)
     legs = _legs(journey, step)
     least = np.array([leg.least_time for leg in legs])
     total = _asked(journey, float(least.sum())) if time is None else float(time)
@@ -117,7 +134,17 @@ def optimum(journey: Journey, time: float | None = None, step: float | None = No
     else:
         times = spread(legs, total)
     runs = [leg.for_time(float(t)) for leg, t in zip(legs, times, strict=True)]
-    return _joined(journey, legs, runs)
+    return _joined(journey, legs, runs, max(total, float(least.sum())))
+
+
+def _mapped(journey: Journey, time: float | None, step: float | None) -> OptimalRun:
+    chain = journey.train.efficiency
+    means, run = (chain.traction, chain.regeneration), None
+    for _ in range(1 + ROUNDS):
+        run = optimum(with_means(journey, means), time, step)
+        means, energy = by_the_map(journey, run)
+    assert run is not None
+    return run._replace(energy=energy, is_optimal=False)
 
 
 def spread(legs: list[LegProblem], total: float) -> Array:
@@ -181,7 +208,9 @@ def _asked(journey: Journey, least: float) -> float:
     return least * (1.0 + (journey.supplement or 0.0))
 
 
-def _joined(journey: Journey, legs: list[LegProblem], runs: list[Profile]) -> OptimalRun:
+def _joined(
+    journey: Journey, legs: list[LegProblem], runs: list[Profile], asked: float
+) -> OptimalRun:
     columns: list[list[Array]] = [[], [], [], [], [], []]
     clock, energy = 0.0, 0.0
     times = []
@@ -203,5 +232,6 @@ def _joined(journey: Journey, legs: list[LegProblem], runs: list[Profile]) -> Op
     least = np.array([leg.least_time for leg in legs])
     prices = np.array([run.price for run in runs])
     return OptimalRun(
-        position, speed, time, traction, motor, friction, energy, np.array(times), least, prices
-    )
+        position, speed, time, traction, motor, friction, energy, np.array(times), least, prices,
+        asked, all(run.is_optimal for run in runs),
+    )  # fmt: skip

@@ -34,6 +34,8 @@ class Work(NamedTuple):
     by_time: Array
     pivot: Array
     other: Array
+    weight: Array
+    spring: Array
     kept: Array
     edge: Array
     d_square: Array
@@ -75,6 +77,8 @@ def new_work(lowest: Array, highest: Array) -> Work:
         by_time=np.zeros(nodes),
         pivot=np.zeros(nodes),
         other=np.zeros(nodes),
+        weight=np.zeros(CONDITIONS),
+        spring=np.zeros(5),
         kept=np.zeros((n, 6)),
         edge=np.column_stack([lowest, highest]),
         d_square=np.zeros(nodes),

@@ -50,7 +50,9 @@ class Sections:
 
     def __init__(self, journey: Journey) -> None:
         line, train = journey.line, journey.train
-        slopes = [(0.0, 0.0)] + [(point.at, point.value) for point in line.gradient]
+        slopes = [(point.at, point.value) for point in line.gradient]
+        if not slopes or slopes[0][0] > 0.0:
+            slopes = [(0.0, 0.0), *slopes]
         if journey.curve_resistance:
             slopes = _added(
                 slopes, [(c.begin, c.end, curve_resistance(c.radius)) for c in line.curve]
