@@ -89,7 +89,7 @@ def greatest_kernel(
     dt: float,
 ) -> None:
     """Protect with the greatest axle speed, slewed down; arguments as in the contract."""
-    wheels = look_at_wheels(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
+    wheels = look_at_wheels(parameters, state, measured, parameters[SLIP_LOWER], dt)
     before = state[REFERENCE]
     state[REFERENCE] = max(wheels.fastest, before - SLEW * dt)
     state[DECELERATION] = (before - state[REFERENCE]) / dt
@@ -106,7 +106,7 @@ def forces_kernel(
 ) -> None:
     """Protect with observed forces for the dead reckoning; arguments as in the contract."""
     n_axles = measured.shape[0]
-    wheels = look_at_wheels(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
+    wheels = look_at_wheels(parameters, state, measured, parameters[SLIP_LOWER], dt)
     sample = int(state[SAMPLE])
     length = min(int(parameters[OBSERVER_WINDOW] / dt + 0.5), sample)
     per_time = 1.0 / (max(length, 1) * dt)

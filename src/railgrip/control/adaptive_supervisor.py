@@ -156,7 +156,7 @@ def _step_in_micro(
     return after
 
 
-def set_range(state: FloatArray, axle: int, n_axles: int, slip_range: float) -> None:
+def set_range(state: FloatArray, axle: int, slip_range: float) -> None:
     """Hold an axle in a range; if that is a change, its means begin anew."""
     place = axle_base(axle) + RANGE
     if state[place] != slip_range:
@@ -169,7 +169,7 @@ def set_all(state: FloatArray, n_axles: int, slip_range: float) -> None:
     for axle in range(n_axles):
         block = axle_base(axle)
         is_lead = state[block + IS_LEAD] > 0.0
-        set_range(state, axle, n_axles, MACRO if is_lead else slip_range)
+        set_range(state, axle, MACRO if is_lead else slip_range)
         state[block + SLID] = 0.0
         state[block + IS_TESTED] = 0.0
 
@@ -212,22 +212,22 @@ def choose_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> int
         for axle in range(n_axles):
             block = axle_base(axle)
             if state[block + IS_LEAD] > 0.0:
-                begin_test(state, axle, n_axles)
+                begin_test(state, axle)
                 n_chosen += 1
         return n_chosen
     while n_chosen < parameters[N_TEST]:
         axle = tested_longest_ago(state, n_axles)
         if axle < 0:
             return n_chosen
-        begin_test(state, axle, n_axles)
+        begin_test(state, axle)
         n_chosen += 1
     return n_chosen
 
 
-def begin_test(state: FloatArray, axle: int, n_axles: int) -> None:
+def begin_test(state: FloatArray, axle: int) -> None:
     """Put an axle into its test phase, in macro-slip."""
     block = axle_base(axle)
-    set_range(state, axle, n_axles, MACRO)
+    set_range(state, axle, MACRO)
     state[block + SLID] = 0.0
     state[block + IS_TESTED] = 1.0
     state[block + TESTED_AT] = state[TEST_NUMBER]
@@ -283,7 +283,7 @@ def end_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
         block = axle_base(axle)
         if state[block + IS_TESTED] > 0.0 and state[block + IS_LEAD] == 0.0:
             if not is_axle_better(parameters, state, block):
-                set_range(state, axle, n_axles, MICRO)
+                set_range(state, axle, MICRO)
             state[block + IS_TESTED] = 0.0
 
 

@@ -138,7 +138,7 @@ def adaptive_traction_kernel(
                 share = hold_at_peak(parameters, axle_setup, state, measured, axle, dt)
             else:
                 share = spin_deep(parameters, axle_setup, state, measured, axle)
-        command_motor(parameters, state, measured, command, axle, share, dt)
+        command_motor(parameters, state, command, axle, share, dt)
         command[axle, SLIP_RANGE] = state[axle_base(axle) + RANGE]
     agree(axle_setup, state, command, n_axles)
 

@@ -57,7 +57,7 @@ def adaptive_kernel(
 ) -> None:
     """Advance the protection by one period; arguments as in the controller contract."""
     n_axles = measured.shape[0]
-    observe_in_ranges(parameters, axle_setup, state, measured, dt)
+    observe_in_ranges(parameters, state, measured, dt)
     look = time_to_look(parameters, state, dt)
     if look > 0.0:
         weigh_axles(parameters, state, n_axles, look)

@@ -62,7 +62,6 @@ def ease_torque(
         Period, [s].
     """
     base = axle_base(axle)
-    own = base
     reference = state[REFERENCE]
     lower = threshold(parameters[SPIN_LOWER], parameters[SPIN_LOWER_FLOOR], reference)
     upper = threshold(parameters[SPIN_UPPER], parameters[SPIN_UPPER_FLOOR], reference)
@@ -72,22 +71,22 @@ def ease_torque(
         relative = 0.0
     foreseen = spin + parameters[LEAD_TIME] * relative
     is_spinning = foreseen > upper or (spin > lower and relative > parameters[SPIN_ACCELERATION])
-    share: float = state[own + SHARE]
-    if state[own + IS_CUT] == 0.0:
+    share: float = state[base + SHARE]
+    if state[base + IS_CUT] == 0.0:
         if not is_spinning:
             return float(min(1.0, share + dt / parameters[RAMP_TIME]))
         # while torque still builds up, what acts is less than what is permitted
         demand = demanded_force(axle_setup, state, measured, axle)
         if demand > 0.0:
             share = min(share, max(-measured[axle, DYNAMIC_FORCE], 0.0) / demand)
-        state[own + IS_CUT] = 1.0
-        state[own + SHARE_AT_SPIN] = share
+        state[base + IS_CUT] = 1.0
+        state[base + SHARE_AT_SPIN] = share
     if spin < lower and relative < parameters[SPIN_ACCELERATION]:
-        state[own + IS_CUT] = 0.0
-        return float(min(1.0, max(share, parameters[STEP_TO] * state[own + SHARE_AT_SPIN])))
+        state[base + IS_CUT] = 0.0
+        return float(min(1.0, max(share, parameters[STEP_TO] * state[base + SHARE_AT_SPIN])))
     if relative < RETURNING:
         return share
-    return float(max(0.0, share - dt / parameters[CUT_TIME] * state[own + SHARE_AT_SPIN]))
+    return float(max(0.0, share - dt / parameters[CUT_TIME] * state[base + SHARE_AT_SPIN]))
 
 
 def conventional_traction_kernel(
@@ -107,7 +106,7 @@ def conventional_traction_kernel(
         share = 1.0
         if acts_on(axle_setup, state, axle):
             share = ease_torque(parameters, axle_setup, state, measured, axle, dt)
-        command_motor(parameters, state, measured, command, axle, share, dt)
+        command_motor(parameters, state, command, axle, share, dt)
     agree(axle_setup, state, command, measured.shape[0])
 
 

@@ -91,7 +91,7 @@ def conventional_kernel(
     dt: float,
 ) -> None:
     """Advance the WSP by one period; arguments as in the controller contract."""
-    observe_train(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
+    observe_train(parameters, state, measured, parameters[SLIP_LOWER], dt)
     learn_diameters(parameters, state, measured, dt)
     set_band(parameters, state, measured.shape[0])
     protect_axles(parameters, state, command, dt)

@@ -87,7 +87,7 @@ def fixed_kernel(
     dt: float,
 ) -> None:
     """Advance the protection by one period; arguments as in the controller contract."""
-    observe_in_ranges(parameters, axle_setup, state, measured, dt)
+    observe_in_ranges(parameters, state, measured, dt)
     protect_in_ranges(parameters, axle_setup, state, measured, command, dt)
 
 

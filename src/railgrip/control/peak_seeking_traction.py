@@ -75,7 +75,7 @@ def peak_seeking_kernel(
         share = 1.0
         if acts_on(axle_setup, state, axle):
             share = hold_at_peak(parameters, axle_setup, state, measured, axle, dt)
-        command_motor(parameters, state, measured, command, axle, share, dt)
+        command_motor(parameters, state, command, axle, share, dt)
     agree(axle_setup, state, command, measured.shape[0])
 
 

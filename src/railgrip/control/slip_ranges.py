@@ -56,7 +56,6 @@ N_RANGED: Final = N_CONVENTIONAL + len(RangeBands._fields)
 
 def observe_in_ranges(
     parameters: FloatArray,
-    axle_setup: FloatArray,
     state: FloatArray,
     measured: FloatArray,
     dt: float,
@@ -75,7 +74,7 @@ def observe_in_ranges(
         slip_lower = min(slip_lower, parameters[MICRO_LOWER])
     if n_middle > 0:
         slip_lower = min(slip_lower, parameters[MIDDLE_LOWER])
-    observe_train(parameters, axle_setup, state, measured, slip_lower, dt)
+    observe_train(parameters, state, measured, slip_lower, dt)
     learn_diameters(parameters, state, measured, dt)
 
 

@@ -124,7 +124,7 @@ def observe_forces(
         Period, [s].
     """
     n_axles = measured.shape[0]
-    wheels = look_at_wheels(parameters, axle_setup, state, measured, accuracy, dt)
+    wheels = look_at_wheels(parameters, state, measured, accuracy, dt)
     sample = int(state[SAMPLE])
     length = min(int(parameters[OBSERVER_WINDOW] / dt + 0.5), sample)
     per_time = 1.0 / (max(length, 1) * dt)

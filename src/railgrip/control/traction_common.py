@@ -92,7 +92,7 @@ def observe_while_driving(
 ) -> None:  # fmt: skip
     """Update wheels, forces of the rails, and reference speed in the state."""
     n_axles = measured.shape[0]
-    look_at_wheels(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
+    look_at_wheels(parameters, state, measured, parameters[SLIP_LOWER], dt)
     watch_driven_sensors(parameters, axle_setup, state, measured, dt)
     for axle in range(n_axles):
         _observe_force(parameters, axle_setup, state, measured, axle, dt)
@@ -161,17 +161,16 @@ def lead_slip(
 
 
 def command_motor(
-    parameters: FloatArray, state: FloatArray, measured: FloatArray, command: FloatArray,
+    parameters: FloatArray, state: FloatArray, command: FloatArray,
     axle: int, share: float, dt: float,
 ) -> None:  # fmt: skip
     """Write the command of one axle while the train is driven."""
     base = axle_base(axle)
-    own = base
     spin_speed = state[base + SPEED] - state[REFERENCE]
     lower = threshold(SPIN_SHARE, SPIN_FLOOR, state[REFERENCE])
     limited = share < 0.999 and spin_speed > lower
     note_slide(state, base, VENT if limited else FILL, spin_speed, lower, dt)
-    state[own + SHARE] = share
+    state[base + SHARE] = share
     is_looking = state[LOOKING] == axle + 1.0
     command[axle, DYNAMIC_SHARE] = 0.0 if is_looking else share
     command[axle, FRICTION_SHARE] = 1.0
@@ -189,7 +188,7 @@ def brake_conventionally(
     command: FloatArray, dt: float,
 ) -> None:  # fmt: skip
     """Advance the ordinary protection by one period, and forget what driving had learned."""
-    observe_train(parameters, axle_setup, state, measured, parameters[SLIP_LOWER], dt)
+    observe_train(parameters, state, measured, parameters[SLIP_LOWER], dt)
     learn_diameters(parameters, state, measured, dt)
     n_axles = measured.shape[0]
     set_band(parameters, state, n_axles)

@@ -68,7 +68,6 @@ class Wheels(NamedTuple):
 
 def observe_train(
     parameters: FloatArray,
-    axle_setup: FloatArray,
     state: FloatArray,
     measured: FloatArray,
     slip_lower: float,
@@ -78,7 +77,7 @@ def observe_train(
 
     Parameters
     ----------
-    parameters, axle_setup, state, measured : ndarray
+    parameters, state, measured : ndarray
         As in the controller contract.
     slip_lower : float
         Slip at the lower threshold of the narrowest band in use: how exactly the train speed must
@@ -86,7 +85,7 @@ def observe_train(
     dt : float
         Period, [s].
     """
-    wheels = look_at_wheels(parameters, axle_setup, state, measured, slip_lower, dt)
+    wheels = look_at_wheels(parameters, state, measured, slip_lower, dt)
     estimate_deceleration(parameters, state, wheels.effort, wheels.acceleration)
     free_an_axle(parameters, state, wheels.candidate, wheels.is_witnessed, slip_lower, dt)
     advance_reference(parameters, state, wheels.fastest, wheels.seen, dt)
@@ -95,7 +94,6 @@ def observe_train(
 
 def look_at_wheels(
     parameters: FloatArray,
-    axle_setup: FloatArray,
     state: FloatArray,
     measured: FloatArray,
     slip_lower: float,
@@ -104,10 +102,42 @@ def look_at_wheels(
     """Update the wheels in the state and return what they show; arguments as above."""
     n_axles = measured.shape[0]
     take_measured(state, measured)
+    is_braking = measured[0, BRAKE_DEMAND] > 0.0
+    counts = _read_wheels(parameters, state, n_axles, slip_lower, is_braking, dt)
+    sums = _sum_up(state, n_axles, counts.valid)
+    seen = sums.seen
+    if counts.voters >= ENOUGH_WITNESSES and sums.leader >= 0:
+        voted = outvote_leader(state, measured, sums.leader, dt)
+        seen = voted if voted >= 0.0 else seen
+    is_witnessed = counts.witnesses >= min(ENOUGH_WITNESSES, n_axles)
+    is_adhering = counts.sliding == 0 and is_witnessed
+    return Wheels(
+        sums.fastest, seen, sums.candidate, sums.effort, sums.acceleration, is_witnessed,
+        is_adhering,
+    )  # fmt: skip
+
+
+class Counts(NamedTuple):
+    """How many wheels are believed, at the reference speed, sliding, and fit to vote."""
+
+    valid: int
+    witnesses: int
+    sliding: int
+    voters: int
+
+
+def _read_wheels(
+    parameters: FloatArray,
+    state: FloatArray,
+    n_axles: int,
+    slip_lower: float,
+    is_braking: bool,
+    dt: float,
+) -> Counts:
+    """Update every wheel in the state, several at a time, and count."""
     own = conventional_of(parameters)
     reference = state[REFERENCE]
     near = max(WITNESS_FLOOR, reference * min(slip_lower, WITNESS_SLIP))
-    is_braking = measured[0, BRAKE_DEMAND] > 0.0
     is_fast = reference > own.dead_reference
     n_valid = 0
     n_witnesses = 0
@@ -115,16 +145,32 @@ def look_at_wheels(
     n_voters = 0
     for group in range(groups(n_axles)):
         for i in range(in_group(group, n_axles)):
-            axle = group_base(group) + i
-            read_wheel(own, state, axle, is_braking, is_fast, dt)
-            _weigh_effort(own, state, axle, reference)
-            _settle(own, state, axle, dt)
-            _stay_near(state, axle, reference, near, dt)
-            is_valid = state[axle + IS_FAULTY] == 0.0
+            base = group_base(group) + i
+            read_wheel(own, state, base, is_braking, is_fast, dt)
+            _weigh_effort(own, state, base, reference)
+            _settle(own, state, base, dt)
+            _stay_near(state, base, reference, near, dt)
+            is_valid = state[base + IS_FAULTY] == 0.0
             n_valid += 1 if is_valid else 0
-            n_witnesses += 1 if is_valid and state[axle + WITNESS_CLOCK] > WITNESS_AFTER else 0
-            n_sliding += 1 if is_valid and state[axle + SLIDES] > 0.0 else 0
-            n_voters += 1 if is_valid and state[axle + VOTE_CLOCK] > VOTES_AFTER else 0
+            n_witnesses += 1 if is_valid and state[base + WITNESS_CLOCK] > WITNESS_AFTER else 0
+            n_sliding += 1 if is_valid and state[base + SLIDES] > 0.0 else 0
+            n_voters += 1 if is_valid and state[base + VOTE_CLOCK] > VOTES_AFTER else 0
+    return Counts(n_valid, n_witnesses, n_sliding, n_voters)
+
+
+class Sums(NamedTuple):
+    """As in `Wheels`, before the vote; the fastest axle, -1 for none."""
+
+    fastest: float
+    leader: int
+    candidate: int
+    seen: float
+    effort: float
+    acceleration: float
+
+
+def _sum_up(state: FloatArray, n_axles: int, n_valid: int) -> Sums:
+    """Find the fastest wheel, and sum up in the order of the axles."""
     fastest = 0.0
     leader = -1
     candidate = -1
@@ -135,25 +181,21 @@ def look_at_wheels(
         base = axle_base(axle)
         is_valid = state[base + IS_FAULTY] == 0.0
         speed = state[base + SPEED]
+        shown = state[base + SHOWN_SPEED]
         acceleration += state[base + ACCELERATION] if is_valid else 0.0
         effort += state[base + EFFORT] if is_valid else 0.0
-        seen = state[base + SHOWN_SPEED] if is_valid and state[base + SHOWN_SPEED] > seen else seen
+        seen = shown if is_valid and shown > seen else seen
         is_faster = is_valid and speed > fastest
         can_be_freed = state[base + IS_BRAKED] + state[base + IS_MOTORED] > 0.0
         fastest = speed if is_faster else fastest
         leader = axle if is_faster else leader
         candidate = axle if is_faster and can_be_freed else candidate
-    if seen < max(FREE_SHARE * fastest, LOCKED_SHARE * reference):
+    if seen < max(FREE_SHARE * fastest, LOCKED_SHARE * state[REFERENCE]):
         seen = -1.0
-    if n_voters >= ENOUGH_WITNESSES and leader >= 0:
-        voted = outvote_leader(state, measured, leader, dt)
-        seen = voted if voted >= 0.0 else seen
     if n_valid > 0:
         effort /= n_valid
         acceleration /= n_valid
-    is_witnessed = n_witnesses >= min(ENOUGH_WITNESSES, n_axles)
-    is_adhering = n_sliding == 0 and is_witnessed
-    return Wheels(fastest, seen, candidate, effort, acceleration, is_witnessed, is_adhering)
+    return Sums(fastest, leader, candidate, seen, effort, acceleration)
 
 
 def braking_pressure(parameters: ConventionalParameters, state: FloatArray, base: int) -> float:

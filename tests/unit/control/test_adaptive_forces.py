@@ -106,7 +106,7 @@ def test_means_and_slid_distance_begin_anew_after_a_change_of_range():
     bench = Bench(mean_time=0.0)
     bench.run(3.0, slip=0.1)
     assert bench.of(1, SLID) == pytest.approx(4.0 * 1.5, abs=0.2)
-    set_range(bench.state, 1, N, ctl.MICRO)
+    set_range(bench.state, 1, ctl.MICRO)
     bench.run(1.4, slip=0.1)
     assert bench.of(1, SLID) == 0.0
     bench.run(1.1, slip=0.1)
@@ -124,7 +124,7 @@ def broken_away(**parameters):
 
 def test_sums_over_the_ranges():
     bench = broken_away()
-    set_range(bench.state, 2, N, ctl.MICRO)
+    set_range(bench.state, 2, ctl.MICRO)
     bench.run(2.0, slip=0.1)
     assert (bench.sum(N_MACRO), bench.sum(N_MICRO)) == (3.0, 1.0)
     macro = sum(bench.of(axle, MEAN) for axle in (0, 1, 3))

@@ -34,7 +34,7 @@ def look(setup, state, measured, speeds, n):
     seen = []
     for _ in range(n):
         measured[:, ctl.WHEEL_SPEED] = speeds
-        seen.append(look_at_wheels(P, setup, state, measured, 0.008, DT).seen)
+        seen.append(look_at_wheels(P, state, measured, 0.008, DT).seen)
     return seen
 
 
