@@ -7,6 +7,9 @@ import pytest
 
 from railgrip import data
 from railgrip.app.cli import execute
+from railgrip.campaign.driving import driven
+from railgrip.report.journey_page import page
+from railgrip.scenario.journey import Journey
 
 JOURNEY = """
 train = "flirt_tpf"
@@ -27,10 +30,10 @@ def test_drive_prints_and_writes_a_page(folder, capsys):
     told = json.loads(capsys.readouterr().out)
     assert told["optimum"]["energy"] < 0.85 * told["flat_out"]["energy"]["pantograph"]
     assert told["optimum"]["running_time"] == pytest.approx(1.05 * told["optimum"]["least_time"])
-    page = (folder / told["report"]).read_text(encoding="utf-8")
-    assert page.count("<img") == 2
+    written = (folder / told["report"]).read_text(encoding="utf-8")
+    assert written.count("<img") == 2
     assert not any(
-        outside in page for outside in ('src="http', 'href="http', "url(http", "<script")
+        outside in written for outside in ('src="http', 'href="http', "url(http", "<script")
     )
 
 
@@ -66,8 +69,8 @@ def test_coasting_is_driven_tuned_and_logged(folder, capsys):
     assert fast["energy"]["pantograph"] > tuned["energy"]["pantograph"] > 0.999 * best["energy"]
     assert [one["is_acting"] for one in rule["log"]].count(True) >= 1
     assert 0.0 < tuned["parameters"]["coasting_deceleration"] < 0.5
-    page = Path(told["report"]).read_text(encoding="utf-8")
-    assert "Indicators, coasting" in page
+    written = Path(told["report"]).read_text(encoding="utf-8")
+    assert "Indicators, coasting" in written
 
 
 @pytest.mark.parametrize(
@@ -104,6 +107,24 @@ def test_a_follower_coasts_behind_its_leader(folder, capsys):
     assert [one["is_acting"] for one in behind["coasting"]["log"]].count(True) >= 2
 
 
+def test_pads_wear_by_the_friction_work(folder):
+    """A train of 200 t from 144 km/h gives 160 MJ to its pads at 0.5 cm³/MJ, less with motors."""
+    table = {
+        "train": {
+            "mass": "200 t", "rotating": 0.0, "max_speed": "144 km/h", "max_deceleration": 0.5,
+            "effort": {"force": "200 kN", "power": "100 MW"}, "pad_wear": "0.5 cm^3/MJ",
+        },
+        "line": {"length": "20 km", "speed_limit": [{"at": 0, "value": "144 km/h"}]},
+    }  # fmt: skip
+    found = driven(Journey.model_validate(table))
+    assert found.pad_wear(found.ways[0]) == pytest.approx(80e-6, rel=1e-3)
+    assert "Wear of pads, at 0.5 cm³/MJ" in page(found)
+    table["train"]["regeneration"] = {"force": "100 kN", "power": "100 MW"}
+    found = driven(Journey.model_validate(table))
+    assert found.pad_wear(found.ways[0]) < 1e-6
+    assert found.as_table()["flat_out"]["pad_wear"] == found.pad_wear(found.ways[0])
+
+
 SUPERVISION = """
 braking = "1.1 m/s^2"
 
@@ -131,9 +152,9 @@ def test_a_supervised_journey_says_where_it_was_braked(folder, capsys):
     assert stop["target"] == 8550.0
     assert stop["margin"]["sbi"] < 0.0 < stop["margin"]["ebi"]
     assert "service brake" in [one["status"] for one in own["log"]]
-    page = Path(told["report"]).read_text(encoding="utf-8")
-    assert "Braked by the supervision, flat out" in page
-    assert "Limits and run, optimum" in page
+    written = Path(told["report"]).read_text(encoding="utf-8")
+    assert "Braked by the supervision, flat out" in written
+    assert "Limits and run, optimum" in written
     Path("b.toml").write_text(text.replace("MODE", "drive"), encoding="utf-8")
     assert execute(["drive", "b.toml"]) == 0
     assert "Supervision, flat out: metres left" in capsys.readouterr().out

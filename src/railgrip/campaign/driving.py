@@ -95,6 +95,10 @@ class Driven(NamedTuple):
         ]  # fmt: skip
         return [head, *rows]
 
+    def pad_wear(self, way: Way) -> float:
+        """Return the volume that pads and blocks of the train lose on the way, [m³]."""
+        return float(self.journey.train.pad_wear * way.energy["friction"])
+
     def tuned_rows(self) -> list[list[str]]:
         """Return (parameter, value) of the tuned coasting."""
         assert self.tuned is not None
@@ -108,6 +112,7 @@ class Driven(NamedTuple):
             way.name.replace(" ", "_").replace(",", ""): {
                 "running_time": way.running_time,
                 "energy": way.energy["pantograph"] if way.name == "optimum" else way.energy,
+                "pad_wear": self.pad_wear(way),
                 "switchings": way.switchings,
                 "share_of_saving": None if np.isnan(way.share) else way.share,
                 "log": [one._asdict() for one in way.log],

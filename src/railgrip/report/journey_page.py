@@ -67,6 +67,8 @@ def page(found: Any) -> str:
             table(["from – to, s", *times], leg_rows(journey, times)),
             "<h2>Energy, kWh</h2>",
             table(["", *times], energy_rows(found)),
+            f"<h2>Wear of pads, at {journey.train.pad_wear * 1e12:g} cm³/MJ</h2>",
+            table(["", *times], [["cm³", *(f"{found.pad_wear(way) * 1e6:.1f}" for way in ways)]]),
             *_supervised(found),
             *_tuned(found),
             *(_log(way) for way in ways if way.log),

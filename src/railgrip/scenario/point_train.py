@@ -20,6 +20,7 @@ from railgrip.scenario.units import (
     Power,
     QuadraticResistance,
     Speed,
+    WearRate,
 )
 
 
@@ -153,6 +154,12 @@ class PointTrain(Model):
     )
     friction_brake: Force | None = Field(
         default=None, ge=0, le=1e9, description="Greatest force; absent: as much as is asked."
+    )
+    pad_wear: WearRate = Field(
+        default=0.3e-12,
+        ge=0,
+        le=1e-10,
+        description="Volume that pads and blocks lose by friction work; default illustrative.",
     )
     efficiency: Efficiency = Field(default=Efficiency(), description="Of the traction chain.")
     auxiliaries: Power = Field(default=0.0, ge=0, le=1e8, description="Drawn from the DC link.")
