@@ -17,7 +17,9 @@ import numpy as np
 import railgrip as rg
 from railgrip.control.adhesion_kalman import kalata_gains, observe_by_kalman
 from railgrip.control.adhesion_window import observe_friction
-from railgrip.control.temperature_state import FRICTION, MASS, N_OWN
+from railgrip.control.conventional_state import DYNAMIC, SPEED
+from railgrip.control.state_layout import axle_base, state_size
+from railgrip.control.temperature_state import FRICTION, MASS
 
 DT = 0.01
 AXLE = 0
@@ -45,16 +47,16 @@ truth = run.contact_force.values[AXLE]
 begin = int(5.0 / DT)
 window = np.zeros(len(time))
 kalman = np.zeros(len(time))
-state = np.zeros(N_OWN)
-state[MASS] = mass
+state = np.zeros(state_size(1))
+first = axle_base(0)
+state[first + MASS] = mass
 index = 60e3 / mass * DT**2 / 0.02  # the shipped drift of the force and noise of the speed
 believed = (speed[begin], applied[begin])
 for i in range(begin, len(time)):
     length = min(10, i - begin)
-    observe_friction(
-        state, 0, i - begin, length, speed[i], applied[i], DT, 1.0 / (max(length, 1) * DT)
-    )
-    window[i] = state[FRICTION]
+    state[first + SPEED], state[first + DYNAMIC] = speed[i], -applied[i]
+    observe_friction(state, 1, i - begin, length, DT, 1.0 / (max(length, 1) * DT))
+    window[i] = state[first + FRICTION]
     believed = observe_by_kalman(speed[i], *believed, applied[i - 1], mass, index, DT)
     kalman[i] = believed[1]
 
