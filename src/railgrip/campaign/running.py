@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import railgrip
+from railgrip.campaign import parquet
 from railgrip.campaign.batch import Batches
 from railgrip.campaign.campaign_file import CampaignFile
 from railgrip.campaign.cluster import cluster, failed, remote_table
@@ -79,10 +80,11 @@ def run_campaign(
     Raises
     ------
     RailgripError
-        Of `manifest.claim` and `Batches`.
+        Of `parquet.connect`, `manifest.claim` and `Batches`.
     """
     if threads < 1:
         raise RailgripError(Problem("--threads", "must be at least 1", got=f"{threads}"))
+    parquet.connect().close()  # refuses before anything is made if DuckDB is not installed
     _refuse_unknown_figure(campaign)
     batches = Batches(campaign)
     store = claim(folder, campaign)

@@ -3,6 +3,7 @@
 import json
 import resource
 import shutil
+import sys
 from collections.abc import Iterator
 from concurrent.futures import CancelledError
 from contextlib import contextmanager
@@ -12,7 +13,7 @@ import pytest
 
 import railgrip
 from railgrip.campaign import cluster, manifest
-from railgrip.campaign.campaign_file import campaign_from
+from railgrip.campaign.campaign_file import campaign_from, read_campaign_file
 from railgrip.campaign.collecting import mark_of
 from railgrip.campaign.exporting import catalogue, export
 from railgrip.campaign.parquet import connect, quoted
@@ -271,3 +272,10 @@ def test_export_and_catalogue(done, tmp_path) -> None:
     with connect() as connection:
         connection.execute(f"ATTACH '{quoted(path)}' AS c")
         assert connection.execute("SELECT count(*) FROM c.run").fetchone() == (100,)
+
+
+def test_without_duckdb_nothing_is_begun(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "duckdb", None)
+    with pytest.raises(RailgripError, match="duckdb is not installed; try: pip install"):
+        run_campaign(read_campaign_file("dry_emergency"), tmp_path / "out")
+    assert not (tmp_path / "out").exists()
