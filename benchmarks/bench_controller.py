@@ -120,7 +120,7 @@ def cost_in_batch(controller: Any, runs: int, rounds: int) -> tuple[float, float
 
 def main() -> None:
     chosen = options(__doc__)
-    calls, plain_calls, runs, rounds = 200_000, 5_000, 256, 9
+    calls, plain_calls, runs, rounds = 200_000, 5_000, 128, 7
     if chosen.quick:
         calls, plain_calls, runs, rounds = 20_000, 500, 32, 2
     rows = []
