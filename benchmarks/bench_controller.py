@@ -84,8 +84,8 @@ def twice(controller: Any) -> Any:
     def begin(parameters, setup, state, measured):  # type: ignore[no-untyped-def]
         initial(parameters, setup, state[0:size], measured)
         initial(parameters, setup, state[size : 2 * size], measured)
+        unheard = state[2 * size :].reshape((said, measured.shape[0]))
         for axle in range(measured.shape[0]):
-            unheard = state[2 * size :].reshape((said, measured.shape[0]))
             unheard[ctl.DYNAMIC_SHARE, axle] = 1.0
             unheard[ctl.FRICTION_SHARE, axle] = 1.0
 

@@ -28,6 +28,7 @@ from railgrip.control.adaptive_state import (
     FACTOR,
     FOLLOWER_FORCE,
     FORCE,
+    HAS_BRAKE,
     IS_ARMED,
     IS_LEAD,
     LEADER_FORCE,
@@ -137,8 +138,7 @@ def weigh_axles(parameters: FloatArray, state: FloatArray, n_axles: int, dt: flo
     for group in range(groups(n_axles)):
         for i in range(in_group(group, n_axles)):
             base = group_base(group) + i
-            block = group_base(group) + i
-            _weigh(own, same, state, base, block, reference, deceleration, base == freed, dt)
+            _weigh(own, same, state, base, reference, deceleration, base == freed, dt)
     _sum_up(parameters, state, n_axles)
 
 
@@ -147,7 +147,6 @@ def _weigh(
     same: Weighing,
     state: FloatArray,
     base: int,
-    block: int,
     reference: float,
     deceleration: float,
     is_freed: bool,
@@ -159,27 +158,27 @@ def _weigh(
     slip_speed = reference - state[base + SPEED]
     acceleration = state[base + ACCELERATION]
     pressure = braking_pressure(parameters, state, base)
-    signal = (pressure + same.inertia * acceleration) * state[block + FACTOR]
-    force = state[block + FORCE] + same.force_blend * (signal - state[block + FORCE])
-    is_armed = state[block + IS_ARMED]
+    signal = (pressure + same.inertia * acceleration) * state[base + FACTOR]
+    force = state[base + FORCE] + same.force_blend * (signal - state[base + FORCE])
+    is_armed = state[base + IS_ARMED]
     adheres = slip_speed < same.adhering
     grows = acceleration + deceleration < -same.growth
     breaks = is_armed > 0.0 and slip_speed > same.breaking and grows and not adheres
     armed = 0.0 if breaks else is_armed
     armed = 1.0 if adheres else armed
-    clock = state[block + RANGE_CLOCK] + dt if works else 0.0
+    clock = state[base + RANGE_CLOCK] + dt if works else 0.0
     is_new = clock <= same.restart
-    mean = state[block + MEAN] + same.mean_blend * (signal - state[block + MEAN])
+    mean = state[base + MEAN] + same.mean_blend * (signal - state[base + MEAN])
     mean = force if is_new else mean
-    slid = 0.0 if is_new else state[block + SLID] + abs(slip_speed) * dt
-    state[block + IS_LEAD] = 1.0 if brakes else 0.0
-    state[block + FORCE] = force if works else state[block + FORCE]
-    state[block + F0] = max(force, 0.0) if works and breaks else state[block + F0]
-    state[block + IS_ARMED] = armed if works else is_armed
-    state[block + RANGE_CLOCK] = clock
-    state[block + MEAN] = mean if works else state[block + MEAN]
-    state[block + SLID] = slid if works else state[block + SLID]
-    state[block + COUNTS] = 1.0 if works and not is_new else 0.0
+    slid = 0.0 if is_new else state[base + SLID] + abs(slip_speed) * dt
+    state[base + HAS_BRAKE] = 1.0 if brakes else 0.0
+    state[base + FORCE] = force if works else state[base + FORCE]
+    state[base + F0] = max(force, 0.0) if works and breaks else state[base + F0]
+    state[base + IS_ARMED] = armed if works else is_armed
+    state[base + RANGE_CLOCK] = clock
+    state[base + MEAN] = mean if works else state[base + MEAN]
+    state[base + SLID] = slid if works else state[base + SLID]
+    state[base + COUNTS] = 1.0 if works and not is_new else 0.0
 
 
 def _sum_up(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
@@ -188,21 +187,21 @@ def _sum_up(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     n_macro = n_micro = macro_force = micro_force = macro_f0 = macro_slid = 0.0
     leader_force = follower_force = leader_slid = 0.0
     for axle in range(n_axles):
-        block = axle_base(axle)
-        mean = state[block + MEAN]
-        slid = state[block + SLID]
-        is_lead = state[block + IS_LEAD] > 0.0 and n_lead < parameters[LEAD_AXLES]
-        state[block + IS_LEAD] = 1.0 if is_lead else 0.0
+        base = axle_base(axle)
+        mean = state[base + MEAN]
+        slid = state[base + SLID]
+        is_lead = state[base + HAS_BRAKE] > 0.0 and n_lead < parameters[LEAD_AXLES]
+        state[base + IS_LEAD] = 1.0 if is_lead else 0.0
         n_lead += 1.0 if is_lead else 0.0
-        if is_lead and state[block + COUNTS] > 0.0:
+        if is_lead and state[base + COUNTS] > 0.0:
             if n_lead == 1.0:
                 leader_force = mean
                 leader_slid = slid
             if n_lead == parameters[LEAD_AXLES]:
                 follower_force = mean
-        f0 = state[block + F0]
-        counts = state[block + COUNTS] > 0.0 and f0 > 0.0
-        in_macro = counts and state[axle_base(axle) + RANGE] > MICRO
+        f0 = state[base + F0]
+        counts = state[base + COUNTS] > 0.0 and f0 > 0.0
+        in_macro = counts and state[base + RANGE] > MICRO
         in_micro = counts and not in_macro
         n_macro += 1.0 if in_macro else 0.0
         macro_force += mean if in_macro else 0.0

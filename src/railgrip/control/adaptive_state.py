@@ -38,3 +38,4 @@ COUNTS: Final = (
     OF_SUPERVISOR + 10
 ) * GROUP  # 1 while its mean and slid distance tell something of its range
 RANGE: Final = (OF_SUPERVISOR + 11) * GROUP  # permitted range of slip
+HAS_BRAKE: Final = (OF_SUPERVISOR + 12) * GROUP  # 1 for one that brakes and is believed

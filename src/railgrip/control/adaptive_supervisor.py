@@ -167,11 +167,11 @@ def set_range(state: FloatArray, axle: int, slip_range: float) -> None:
 def set_all(state: FloatArray, n_axles: int, slip_range: float) -> None:
     """Hold every axle in a range (301, 307); leading test axles stay in macro-slip."""
     for axle in range(n_axles):
-        block = axle_base(axle)
-        is_lead = state[block + IS_LEAD] > 0.0
+        base = axle_base(axle)
+        is_lead = state[base + IS_LEAD] > 0.0
         set_range(state, axle, MACRO if is_lead else slip_range)
-        state[block + SLID] = 0.0
-        state[block + IS_TESTED] = 0.0
+        state[base + SLID] = 0.0
+        state[base + IS_TESTED] = 0.0
 
 
 def has_slid(parameters: FloatArray, state: FloatArray, n_axles: int) -> bool:
@@ -210,8 +210,8 @@ def choose_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> int
     n_chosen = 0
     if parameters[RULE] == LOOKOUT:
         for axle in range(n_axles):
-            block = axle_base(axle)
-            if state[block + IS_LEAD] > 0.0:
+            base = axle_base(axle)
+            if state[base + IS_LEAD] > 0.0:
                 begin_test(state, axle)
                 n_chosen += 1
         return n_chosen
@@ -226,11 +226,11 @@ def choose_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> int
 
 def begin_test(state: FloatArray, axle: int) -> None:
     """Put an axle into its test phase, in macro-slip."""
-    block = axle_base(axle)
+    base = axle_base(axle)
     set_range(state, axle, MACRO)
-    state[block + SLID] = 0.0
-    state[block + IS_TESTED] = 1.0
-    state[block + TESTED_AT] = state[TEST_NUMBER]
+    state[base + SLID] = 0.0
+    state[base + IS_TESTED] = 1.0
+    state[base + TESTED_AT] = state[TEST_NUMBER]
 
 
 def tested_longest_ago(state: FloatArray, n_axles: int) -> int:
@@ -238,11 +238,11 @@ def tested_longest_ago(state: FloatArray, n_axles: int) -> int:
     chosen = -1
     oldest = 0.0
     for axle in range(n_axles):
-        block = axle_base(axle)
-        is_fit = state[axle_base(axle) + RANGE] == MICRO and state[block + RANGE_CLOCK] > 0.0
-        if is_fit and (chosen < 0 or state[block + TESTED_AT] < oldest):
+        base = axle_base(axle)
+        is_fit = state[base + RANGE] == MICRO and state[base + RANGE_CLOCK] > 0.0
+        if is_fit and (chosen < 0 or state[base + TESTED_AT] < oldest):
             chosen = axle
-            oldest = state[block + TESTED_AT]
+            oldest = state[base + TESTED_AT]
     return chosen
 
 
@@ -254,8 +254,8 @@ def is_test_over(parameters: FloatArray, state: FloatArray, n_axles: int) -> boo
         has_led: bool = state[LEADER_SLID] >= parameters[TEST_DISTANCE]
         return has_led
     for axle in range(n_axles):
-        block = axle_base(axle)
-        if state[block + IS_TESTED] > 0.0 and state[block + SLID] < parameters[TEST_DISTANCE]:
+        base = axle_base(axle)
+        if state[base + IS_TESTED] > 0.0 and state[base + SLID] < parameters[TEST_DISTANCE]:
             return False
     return True
 
@@ -265,26 +265,26 @@ def judge_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> bool
     if parameters[RULE] == LOOKOUT:
         return rail_gets_clean(state, parameters[CLEAN_RETURN])
     for axle in range(n_axles):
-        block = axle_base(axle)
-        if state[block + IS_TESTED] > 0.0 and not is_axle_better(parameters, state, block):
+        base = axle_base(axle)
+        if state[base + IS_TESTED] > 0.0 and not is_axle_better(parameters, state, base):
             return False
     return True
 
 
-def is_axle_better(parameters: FloatArray, state: FloatArray, block: int) -> bool:
+def is_axle_better(parameters: FloatArray, state: FloatArray, base: int) -> bool:
     """Return whether a test axle's mean force passes its F0; one that never broke away does not."""
-    is_better: bool = state[block + MEAN] > parameters[K_AXLE] * state[block + F0] > 0.0
+    is_better: bool = state[base + MEAN] > parameters[K_AXLE] * state[base + F0] > 0.0
     return is_better
 
 
 def end_tests(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     """Put the test axles that are not better off back into micro-slip (311)."""
     for axle in range(n_axles):
-        block = axle_base(axle)
-        if state[block + IS_TESTED] > 0.0 and state[block + IS_LEAD] == 0.0:
-            if not is_axle_better(parameters, state, block):
+        base = axle_base(axle)
+        if state[base + IS_TESTED] > 0.0 and state[base + IS_LEAD] == 0.0:
+            if not is_axle_better(parameters, state, base):
                 set_range(state, axle, MICRO)
-            state[block + IS_TESTED] = 0.0
+            state[base + IS_TESTED] = 0.0
 
 
 def are_macro_axles_better(parameters: FloatArray, state: FloatArray) -> bool:

@@ -85,13 +85,12 @@ def look_at_forces(
         if is_free or not acts_on(axle_setup, state, axle):
             leave_out(state, axle)
             continue
-        own = axle_base(axle)
-        force = state[own + FORCE]
+        force = state[base + FORCE]
         spin = state[base + SPEED] - state[REFERENCE]
-        if state[own + SHARE] >= WHOLE and spin < ADHERING:
+        if state[base + SHARE] >= WHOLE and spin < ADHERING:
             # the effort bounds its force, not the rail: what it once had says nothing of this rail
-            state[axle_base(axle) + F0] = 0.0
-            state[axle_base(axle) + IS_ARMED] = 1.0
+            state[base + F0] = 0.0
+            state[base + IS_ARMED] = 1.0
         growth = state[base + ACCELERATION] + state[DECELERATION]
         n_lead = weigh_axle(
             supervision, state, axle, n_lead, force, spin, growth, state[REFERENCE], dt

@@ -86,9 +86,8 @@ def _reckon(state: FloatArray, measured: FloatArray, n_axles: int, dt: float) ->
     is_any_spinning = False
     for axle in range(n_axles):
         base = axle_base(axle)
-        own = axle_base(axle)
-        load += state[own + LOAD]
-        force += state[own + FORCE]
+        load += state[base + LOAD]
+        force += state[base + FORCE]
         if state[base + IS_FAULTY] > 0.0:
             continue
         speed = state[base + SPEED]
@@ -98,11 +97,11 @@ def _reckon(state: FloatArray, measured: FloatArray, n_axles: int, dt: float) ->
             slowest = speed
         else:
             second = min(second, speed)
-        clock = state[own + FREE_CLOCK] + dt
+        clock = state[base + FREE_CLOCK] + dt
         is_unsteady = abs(state[base + ACCELERATION] + state[DECELERATION]) > STEADY
         if abs(measured[axle, DYNAMIC_FORCE]) > FREE_FORCE or is_unsteady:
             clock = 0.0
-        state[own + FREE_CLOCK] = clock
+        state[base + FREE_CLOCK] = clock
         if clock > STEADY_AFTER:
             seen = speed if seen < 0.0 else min(seen, speed)
     acceleration = state[OFFSET]

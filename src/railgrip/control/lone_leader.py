@@ -74,27 +74,27 @@ def outvote_leader(state: FloatArray, measured: FloatArray, leader: int, dt: flo
         second = max(second, min(best, speed))
         best = max(best, speed)
     apart = max(AGREE_FLOOR, AGREE_SHARE * best)
-    own = axle_base(leader)
-    leads = second > apart and best - second < apart and state[own + SPEED] - best > apart
+    base = axle_base(leader)
+    leads = second > apart and best - second < apart and state[base + SPEED] - best > apart
     if leads and measured[leader, BRAKE_DEMAND] > 0.0:
-        state[own + LEAD_CLOCK] += dt
-        if state[own + LEAD_CLOCK] > OUTVOTED_AFTER:
+        state[base + LEAD_CLOCK] += dt
+        if state[base + LEAD_CLOCK] > OUTVOTED_AFTER:
             # it may slide a little itself, so a little more than it shows
-            _correct_or_drop(state, own, (1.0 - AGREE_SHARE) * best / state[own + SPEED])
+            _correct_or_drop(state, base, (1.0 - AGREE_SHARE) * best / state[base + SPEED])
             return best
     return -1.0
 
 
-def _correct_or_drop(state: FloatArray, own: int, ratio: float) -> None:
-    factor = state[own + DIAMETER] * ratio
-    state[own + CORRECTIONS] += 1.0
-    if factor < 1.0 - GREATEST_CORRECTION or state[own + CORRECTIONS] > MOST_CORRECTIONS:
-        state[own + IS_FAULTY] = 1.0
+def _correct_or_drop(state: FloatArray, base: int, ratio: float) -> None:
+    factor = state[base + DIAMETER] * ratio
+    state[base + CORRECTIONS] += 1.0
+    if factor < 1.0 - GREATEST_CORRECTION or state[base + CORRECTIONS] > MOST_CORRECTIONS:
+        state[base + IS_FAULTY] = 1.0
         return
-    state[own + DIAMETER] = factor
-    state[own + SPEED] *= ratio
-    state[own + SPEED_LAG] *= ratio
-    state[own + LEAD_CLOCK] = 0.0
+    state[base + DIAMETER] = factor
+    state[base + SPEED] *= ratio
+    state[base + SPEED_LAG] *= ratio
+    state[base + LEAD_CLOCK] = 0.0
 
 
 def runs_free(state: FloatArray, base: int) -> bool:

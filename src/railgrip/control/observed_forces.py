@@ -91,51 +91,51 @@ def weigh_axle(
     float
         Leading test axles, this one included.
     """
-    block = axle_base(axle)
+    base = axle_base(axle)
     breaking = threshold(parameters[BREAKAWAY_SLIP], parameters[BREAKAWAY_FLOOR], reference)
     is_lead = n_lead < parameters[LEAD_AXLES]
-    state[block + IS_LEAD] = 1.0 if is_lead else 0.0
-    signal = force * state[block + FACTOR]
+    state[base + IS_LEAD] = 1.0 if is_lead else 0.0
+    signal = force * state[base + FACTOR]
     blend = dt / (parameters[F0_FILTER] + dt)
-    state[block + FORCE] += blend * (signal - state[block + FORCE])
+    state[base + FORCE] += blend * (signal - state[base + FORCE])
     if slip_speed < parameters[ADHESION_SHARE] * breaking:
-        state[block + IS_ARMED] = 1.0
+        state[base + IS_ARMED] = 1.0
     elif (
         slip_speed > breaking
         and growth > parameters[BREAKAWAY_GROWTH]
-        and state[block + RANGE_CLOCK] > SETTLED
+        and state[base + RANGE_CLOCK] > SETTLED
     ):
-        if state[block + IS_ARMED] > 0.0:
-            state[block + F0] = max(state[block + FORCE], 0.0)
-        state[block + IS_ARMED] = 0.0
-    state[block + RANGE_CLOCK] += dt
-    if state[block + RANGE_CLOCK] <= parameters[RESTART_AFTER]:
-        state[block + MEAN] = state[block + FORCE]
-        state[block + SLID] = 0.0
+        if state[base + IS_ARMED] > 0.0:
+            state[base + F0] = max(state[base + FORCE], 0.0)
+        state[base + IS_ARMED] = 0.0
+    state[base + RANGE_CLOCK] += dt
+    if state[base + RANGE_CLOCK] <= parameters[RESTART_AFTER]:
+        state[base + MEAN] = state[base + FORCE]
+        state[base + SLID] = 0.0
     else:
         blend = dt / (parameters[MEAN_TIME] + dt)
-        state[block + MEAN] += blend * (signal - state[block + MEAN])
-        state[block + SLID] += abs(slip_speed) * dt
+        state[base + MEAN] += blend * (signal - state[base + MEAN])
+        state[base + SLID] += abs(slip_speed) * dt
         _sum_up(parameters, state, axle, n_lead)
     return n_lead + 1.0 if is_lead else n_lead
 
 
 def _sum_up(parameters: FloatArray, state: FloatArray, axle: int, n_lead: float) -> None:
-    block = axle_base(axle)
-    mean, f0 = state[block + MEAN], state[block + F0]
-    if state[block + IS_LEAD] > 0.0:
+    base = axle_base(axle)
+    mean, f0 = state[base + MEAN], state[base + F0]
+    if state[base + IS_LEAD] > 0.0:
         if n_lead == 0.0:
             state[LEADER_FORCE] = mean
-            state[LEADER_SLID] = state[block + SLID]
+            state[LEADER_SLID] = state[base + SLID]
         if n_lead + 1.0 == parameters[LEAD_AXLES]:
             state[FOLLOWER_FORCE] = mean
     if f0 <= 0.0:
         return
-    if state[axle_base(axle) + RANGE] > MICRO:
+    if state[base + RANGE] > MICRO:
         state[N_MACRO] += 1.0
         state[MACRO_FORCE] += mean
         state[MACRO_F0] += f0
-        state[MACRO_SLID] += state[block + SLID]
+        state[MACRO_SLID] += state[base + SLID]
     else:
         state[N_MICRO] += 1.0
         state[MICRO_FORCE] += mean

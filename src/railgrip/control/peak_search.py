@@ -81,7 +81,7 @@ def observe_slope(
 
 
 def seek_peak(
-    parameters: FloatArray, state: FloatArray, own: int, slip: float, is_held: bool,
+    parameters: FloatArray, state: FloatArray, base: int, slip: float, is_held: bool,
     dt: float,
 ) -> None:  # fmt: skip
     """Update the slope and the slip target of one axle in the state.
@@ -90,7 +90,7 @@ def seek_peak(
     ----------
     parameters, state : ndarray
         As in the controller contract.
-    own : int
+    base : int
         Where the axle's values begin.
     slip : float
         Slip speed of the wheel, driving positive, [m/s].
@@ -99,44 +99,44 @@ def seek_peak(
     dt : float
         Period, [s].
     """
-    force = state[own + FORCE]
-    lag = state[own + SLIP_LAG]
+    force = state[base + FORCE]
+    lag = state[base + SLIP_LAG]
     lag += dt / (parameters[OBSERVER_LAG] + dt) * (slip - lag)
-    state[own + SLIP_LAG] = lag
+    state[base + SLIP_LAG] = lag
     if not is_held:
-        state[own + MEAN_SLIP] = lag
-        state[own + MEAN_FORCE] = force
+        state[base + MEAN_SLIP] = lag
+        state[base + MEAN_FORCE] = force
         return
     blend = dt / (parameters[SEARCH_MEAN_TIME] + dt)
-    mean_slip = state[own + MEAN_SLIP] + blend * (lag - state[own + MEAN_SLIP])
-    mean_force = state[own + MEAN_FORCE] + blend * (force - state[own + MEAN_FORCE])
-    state[own + MEAN_SLIP] = mean_slip
-    state[own + MEAN_FORCE] = mean_force
+    mean_slip = state[base + MEAN_SLIP] + blend * (lag - state[base + MEAN_SLIP])
+    mean_force = state[base + MEAN_FORCE] + blend * (force - state[base + MEAN_FORCE])
+    state[base + MEAN_SLIP] = mean_slip
+    state[base + MEAN_FORCE] = mean_force
     if mean_slip > 0.0 and mean_force > 0.0:
         change = (lag - mean_slip) / mean_slip
         if abs(change) < FARTHEST:
-            state[own + SLOPE], state[own + DOUBT_OF_SLOPE] = observe_slope(
-                state[own + SLOPE], state[own + DOUBT_OF_SLOPE], change,
+            state[base + SLOPE], state[base + DOUBT_OF_SLOPE] = observe_slope(
+                state[base + SLOPE], state[base + DOUBT_OF_SLOPE], change,
                 (force - mean_force) / mean_force,
                 parameters[FORCE_ERROR], parameters[SLOPE_DRIFT], dt,
             )  # fmt: skip
-    pull = (state[own + SLOPE] - parameters[SEARCH_MARGIN]) / parameters[SEARCH_SLOPE]
+    pull = (state[base + SLOPE] - parameters[SEARCH_MARGIN]) / parameters[SEARCH_SLOPE]
     pull = max(-1.0, min(1.0, pull))
     gain = max(-state[DECELERATION], 0.0) / max(state[REFERENCE], FORWARD_ABOVE)
     rate = parameters[SEARCH_RATE] * pull + parameters[SPEED_FORWARD] * gain
-    state[own + TARGET] *= 1.0 + rate * dt
-    _bound(parameters, state, own)
+    state[base + TARGET] *= 1.0 + rate * dt
+    _bound(parameters, state, base)
 
 
-def _bound(parameters: FloatArray, state: FloatArray, own: int) -> None:
+def _bound(parameters: FloatArray, state: FloatArray, base: int) -> None:
     reference = state[REFERENCE]
     least = max(parameters[TARGET_LEAST], parameters[TARGET_LEAST_SHARE] * reference)
     most = parameters[TARGET_GREATEST] + parameters[TARGET_GREATEST_SHARE] * reference
-    state[own + TARGET] = max(least, min(most, state[own + TARGET]))
+    state[base + TARGET] = max(least, min(most, state[base + TARGET]))
 
 
-def slip_aimed_at(parameters: FloatArray, state: FloatArray, own: int, axle: int) -> float:
+def slip_aimed_at(parameters: FloatArray, state: FloatArray, base: int, axle: int) -> float:
     """Return the target with its dither, each axle at another time of it, [m/s]."""
     turns = state[CLOCK] / parameters[DITHER_TIME] + 0.25 * axle
-    aim: float = state[own + TARGET] * (1.0 + parameters[DITHER] * math.sin(2.0 * math.pi * turns))
+    aim: float = state[base + TARGET] * (1.0 + parameters[DITHER] * math.sin(2.0 * math.pi * turns))
     return aim

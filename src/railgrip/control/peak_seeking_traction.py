@@ -39,9 +39,9 @@ def peak_seeking_initial(
     traction_initial(parameters, axle_setup, state, measured)
     n_axles = measured.shape[0]
     for axle in range(n_axles):
-        own = axle_base(axle)
-        state[own + TARGET] = parameters[TARGET_START]
-        state[own + DOUBT_OF_SLOPE] = 0.1
+        base = axle_base(axle)
+        state[base + TARGET] = parameters[TARGET_START]
+        state[base + DOUBT_OF_SLOPE] = 0.1
 
 
 def hold_at_peak(
@@ -49,12 +49,12 @@ def hold_at_peak(
     axle: int, dt: float,
 ) -> float:  # fmt: skip
     """Return the share of the demanded motor force that is permitted, 0..1; see `lead_slip`."""
-    own = axle_base(axle)
-    slip = state[axle_base(axle) + SPEED] - state[REFERENCE]
+    base = axle_base(axle)
+    slip = state[base + SPEED] - state[REFERENCE]
     is_free = state[LOOKING] == axle + 1.0
-    is_held = state[own + SHARE] < 0.999 and slip > HELD_SHARE * state[own + TARGET]
-    seek_peak(parameters, state, own, slip, is_held and not is_free, dt)
-    aim = slip_aimed_at(parameters, state, own, axle)
+    is_held = state[base + SHARE] < 0.999 and slip > HELD_SHARE * state[base + TARGET]
+    seek_peak(parameters, state, base, slip, is_held and not is_free, dt)
+    aim = slip_aimed_at(parameters, state, base, axle)
     return lead_slip(parameters, axle_setup, state, measured, axle, aim)
 
 

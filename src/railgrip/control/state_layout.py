@@ -25,8 +25,8 @@ N_TRAIN: Final = 3 * GROUP
 
 # Each axle, in the same order.
 OF_SUPERVISOR: Final = 36
-OWN: Final = 48
-N_AXLE: Final = 134
+OWN: Final = 49
+N_AXLE: Final = 135
 
 
 def axle_base(axle: int) -> int:
@@ -35,7 +35,7 @@ def axle_base(axle: int) -> int:
     Examples
     --------
     >>> axle_base(0), axle_base(2), axle_base(16)
-    (48, 50, 2192)
+    (48, 50, 2208)
     """
     return N_TRAIN + axle // GROUP * (GROUP * N_AXLE) + axle % GROUP
 
@@ -82,6 +82,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(16)
-    2192
+    2208
     """
     return group_base(groups(n_axles))

@@ -113,7 +113,7 @@ def weigh_forces(
         if works == 0.0 or not is_sound or state[FREED_AXLE] == axle + 1.0:
             leave_out(state, axle)
             continue
-        force = sign * state[axle_base(axle) + FRICTION]
+        force = sign * state[base + FRICTION]
         slip_speed = sign * (state[base + SPEED] - state[REFERENCE])
         growth = sign * (state[base + ACCELERATION] + state[DECELERATION])
         n_lead = weigh_axle(

@@ -84,25 +84,25 @@ def temperature_initial(
     still = flash_conductance(STEEL_ERTZ_2002, along, across, 0.0)
     moving = flash_conductance(STEEL_ERTZ_2002, along, across, 1.0)
     for axle in range(n_axles):
-        own = axle_base(axle)
+        base = axle_base(axle)
         load = axle_setup[axle, AXLE_LOAD]
         load = load if load > 1.0e3 else parameters[PATCH_LOAD]
         mass = axle_setup[axle, ROTATING_MASS]
         force = axle_setup[axle, FULL_FORCE]
-        state[own + LOAD] = load
-        state[own + MASS] = mass if mass > 0.0 else parameters[ROTATING_SHARE] * load / GRAVITY
+        state[base + LOAD] = load
+        state[base + MASS] = mass if mass > 0.0 else parameters[ROTATING_SHARE] * load / GRAVITY
         if mass <= 0.0:
             force = parameters[NOMINAL_DECELERATION] * load / GRAVITY
-        state[own + BRAKE_FORCE] = force
-        state[own + STILL] = still * still
+        state[base + BRAKE_FORCE] = force
+        state[base + STILL] = still * still
         # a patch grows with the load^(1/3), so what moving steel takes up grows with its root
-        state[own + MOVING] = (moving * moving - still * still) * load / parameters[PATCH_LOAD]
-        state[own + FORCE_PER_PRESSURE] = force_per_pressure(axle_setup, axle, force)
-        state[own + FIRST], state[own + FULL] = pressures(axle_setup, axle)
-        state[own + CONTINUOUS_BRAKE] = axle_setup[axle, CONTINUOUS]
-        state[own + EFFORT_OF_MOTOR] = axle_setup[axle, BRAKING_EFFORT]
-        state[own + POWER_OF_MOTOR] = axle_setup[axle, BRAKING_POWER]
-        state[own + SLIP_LIMIT] = parameters[GREATEST_SLIP]
+        state[base + MOVING] = (moving * moving - still * still) * load / parameters[PATCH_LOAD]
+        state[base + FORCE_PER_PRESSURE] = force_per_pressure(axle_setup, axle, force)
+        state[base + FIRST], state[base + FULL] = pressures(axle_setup, axle)
+        state[base + CONTINUOUS_BRAKE] = axle_setup[axle, CONTINUOUS]
+        state[base + EFFORT_OF_MOTOR] = axle_setup[axle, BRAKING_EFFORT]
+        state[base + POWER_OF_MOTOR] = axle_setup[axle, BRAKING_POWER]
+        state[base + SLIP_LIMIT] = parameters[GREATEST_SLIP]
     take_measured(state, measured)
     for axle in range(n_axles):
         state[axle_base(axle) + FORCE_BEFORE] = applied_force(state, axle_base(axle))

@@ -124,33 +124,17 @@ TemperatureParameters: Any = joined(
 
 _place = TemperatureParameters._fields.index
 
-RISE_WHEEL: Final = _place("rise_wheel")
-RISE_RAIL: Final = _place("rise_rail")
-SET_POINT: Final = _place("set_point")
+FIRST: Final = _place("rise_wheel")
 EMERGENCY_FACTOR: Final = _place("emergency_factor")
 COURSE: Final = _place("course_1")
 COURSE_RAMPS: Final = _place("course_ramps")
-HEAT_LAW: Final = _place("heat_law")
-LINEAR_FACTOR: Final = _place("linear_factor")
 SEMI_AXIS_ALONG: Final = _place("semi_axis_along")
 SEMI_AXIS_ACROSS: Final = _place("semi_axis_across")
 PATCH_LOAD: Final = _place("patch_load")
 ACCURACY: Final = _place("accuracy")
 OBSERVER_WINDOW: Final = _place("observer_window")
-LEAST_ADHESION: Final = _place("least_adhesion")
-LEAST_SPEED: Final = _place("least_speed")
 GREATEST_SLIP: Final = _place("greatest_slip")
-SLIP_SCALE: Final = _place("slip_scale")
-GAIN_SPEED: Final = _place("gain_speed")
-EXCESS_GAIN: Final = _place("excess_gain")
-VALVE_EXCESS_GAIN: Final = _place("valve_excess_gain")
-VALVE_LEAD: Final = _place("valve_lead")
 NOMINAL_DECELERATION: Final = _place("nominal_deceleration")
-VENT_TIME: Final = _place("vent_time")
-FILL_TIME: Final = _place("fill_time")
-VALVE_DELAY: Final = _place("valve_delay")
-PRESSURE_BAND: Final = _place("pressure_band")
-FIRST: Final = RISE_WHEEL
 
 
 def temperature_of(parameters: FloatArray) -> TemperatureOnly:

@@ -73,17 +73,17 @@ def traction_initial(
     conventional_initial(parameters, axle_setup, state, measured)
     n_axles = measured.shape[0]
     for axle in range(n_axles):
-        own = axle_base(axle)
+        base = axle_base(axle)
         load = axle_setup[axle, AXLE_LOAD]
         load = load if load > 1.0e3 else USUAL_LOAD
         mass = axle_setup[axle, ROTATING_MASS]
-        state[own + LOAD] = load
-        state[own + MASS] = mass if mass > 0.0 else parameters[ROTATING_SHARE] * load / GRAVITY
+        state[base + LOAD] = load
+        state[base + MASS] = mass if mass > 0.0 else parameters[ROTATING_SHARE] * load / GRAVITY
         full = axle_setup[axle, FULL_FORCE]
-        state[own + FORCE_PER_PRESSURE] = force_per_pressure(axle_setup, axle, full)
-        state[own + BELIEVED_SPEED] = state[axle_base(axle) + SPEED]
-        state[own + SHARE] = 1.0
-        state[own + SHARE_AT_SPIN] = 1.0
+        state[base + FORCE_PER_PRESSURE] = force_per_pressure(axle_setup, axle, full)
+        state[base + BELIEVED_SPEED] = state[base + SPEED]
+        state[base + SHARE] = 1.0
+        state[base + SHARE_AT_SPIN] = 1.0
 
 
 def observe_while_driving(
@@ -104,24 +104,24 @@ def _observe_force(
     parameters: FloatArray, axle_setup: FloatArray, state: FloatArray, measured: FloatArray,
     axle: int, dt: float,
 ) -> None:  # fmt: skip
-    own = axle_base(axle)
-    speed = state[axle_base(axle) + SPEED]
-    mass = state[own + MASS]
+    base = axle_base(axle)
+    speed = state[base + SPEED]
+    mass = state[base + MASS]
     applied = -measured[axle, DYNAMIC_FORCE]
     if axle_setup[axle, BRAKED] > 0.0:
         over = measured[axle, CYLINDER_PRESSURE] - pressures(axle_setup, axle)[0]
         if 0.0 < over < 1.0e7:
-            applied -= state[own + FORCE_PER_PRESSURE] * over
-    before = state[own + APPLIED_BEFORE]
-    state[own + APPLIED_BEFORE] = applied
-    if speed < STANDING or state[axle_base(axle) + IS_FAULTY] > 0.0:
-        state[own + BELIEVED_SPEED] = speed
-        state[own + FORCE] = max(applied, 0.0)
+            applied -= state[base + FORCE_PER_PRESSURE] * over
+    before = state[base + APPLIED_BEFORE]
+    state[base + APPLIED_BEFORE] = applied
+    if speed < STANDING or state[base + IS_FAULTY] > 0.0:
+        state[base + BELIEVED_SPEED] = speed
+        state[base + FORCE] = max(applied, 0.0)
         return
     index = parameters[FORCE_DRIFT] / mass * dt * dt / parameters[SPEED_NOISE]
     # speeds come one period late, so the forces of one period ago are put beside them
-    state[own + BELIEVED_SPEED], state[own + FORCE] = observe_by_kalman(
-        speed, state[own + BELIEVED_SPEED], state[own + FORCE], before, mass,
+    state[base + BELIEVED_SPEED], state[base + FORCE] = observe_by_kalman(
+        speed, state[base + BELIEVED_SPEED], state[base + FORCE], before, mass,
         index, dt,
     )  # fmt: skip
 
@@ -149,14 +149,14 @@ def lead_slip(
     F* = F + m_r (a_train + k (w_aim − w)), with the observed force F of the rail: the wheel then
     nears the slip speed aimed at with the time constant 1/k.
     """
-    own = axle_base(axle)
-    speed = state[axle_base(axle) + SPEED]
+    base = axle_base(axle)
+    speed = state[base + SPEED]
     demand = demanded_force(axle_setup, state, measured, axle)
     if demand <= 0.0 or speed < STANDING:
         return 1.0
     error = aim - (speed - state[REFERENCE])
     wanted = parameters[SLIP_GAIN] * error - state[DECELERATION]
-    force = state[own + FORCE] + state[own + MASS] * wanted
+    force = state[base + FORCE] + state[base + MASS] * wanted
     return float(max(0.0, min(1.0, force / demand)))
 
 
@@ -194,10 +194,10 @@ def brake_conventionally(
     set_band(parameters, state, n_axles)
     protect_axles(parameters, state, command, dt)
     for axle in range(n_axles):
-        own = axle_base(axle)
-        state[own + SHARE] = 1.0
-        state[own + BELIEVED_SPEED] = state[axle_base(axle) + SPEED]
-        state[own + FORCE] = 0.0
+        base = axle_base(axle)
+        state[base + SHARE] = 1.0
+        state[base + BELIEVED_SPEED] = state[base + SPEED]
+        state[base + FORCE] = 0.0
     state[LOOKING] = 0.0
 
 

@@ -111,12 +111,7 @@ class _SupervisedMarch(March):
         part = self.part(told, parameters, until)
         passed = _first_excess(way, part)
         if passed is None:
-            self.accept(part)
-            if part.status == kernel.TIME_IS_UP:
-                self.clock = self.authority.next_renewal(self.clock - kernel.IN_TIME * 2)
-                return True
-            self.place = end if abs(end - part.place) < 1e-6 else part.place
-            return False
+            return self.take(part, end)
         if passed > self.clock:
             self.accept(self.part(told, parameters, passed - self.clock))
         self._brake(told, way)

@@ -162,7 +162,10 @@ class March:
 
     def go(self, told: Leg, parameters: Array, until: float, end: float) -> bool:
         """March on; return whether there is more of the leg, as known, to be driven."""
-        part = self.part(told, parameters, until)
+        return self.take(self.part(told, parameters, until), end)
+
+    def take(self, part: Part, end: float) -> bool:
+        """Accept a part up to its own end; return whether a renewal ended it before the leg."""
         self.accept(part)
         if part.status == kernel.TIME_IS_UP:
             self.clock = self.authority.next_renewal(self.clock - kernel.IN_TIME * 2)
