@@ -17,10 +17,12 @@ from typing import Any
 
 import llvmlite.binding as llvm
 import numba as _numba
+import numba.extending
 import platformdirs
 from numba.core.compiler import Compiler as _Compiler
 
 import railgrip
+from railgrip.core.formulas.choosing import choose
 
 # Numba's own type hints lack options that we need.
 numba: Any = _numba
@@ -65,7 +67,18 @@ class _Apart(_Compiler):
         return super().define_pipelines()  # type: ignore[no-untyped-call]
 
 
-_compiled: dict[Callable[..., Any], Any] = {}
+@numba.extending.intrinsic
+def _select(context: Any, condition: Any, one: Any, other: Any) -> Any:
+    """`choose` as LLVM's own instruction: a branch in its place would be merged with others."""
+    number = numba.types.float64
+
+    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        return builder.select(*given)
+
+    return number(numba.types.boolean, number, number), generate
+
+
+_compiled: dict[Callable[..., Any], Any] = {choose: _select}
 
 
 def with_compiled_callees(function: Callable[..., Any]) -> Callable[..., Any]:

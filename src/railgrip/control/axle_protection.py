@@ -30,6 +30,7 @@ from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, wish
 from railgrip.control.state_layout import axle_base, group_base, groups, in_group
 from railgrip.control.stepped_filling import step_filling
+from railgrip.core.formulas.choosing import choose
 
 ALARM_SENSOR = 1.0
 ALARM_SAFETY_TIMER = 2.0
@@ -40,9 +41,9 @@ NOTED_CORRECTION = 0.015
 
 def axle_alarm(state: FloatArray, base: int) -> float:
     """Return what is wrong with an axle: 1 sensor, 2 safety timer, 3 wheel diameter; 0 nothing."""
-    alarm = ALARM_DIAMETER if abs(state[base + DIAMETER] - 1.0) > NOTED_CORRECTION else 0.0
-    alarm = ALARM_SAFETY_TIMER if state[base + SAFETY_FILL] > 0.0 else alarm
-    return ALARM_SENSOR if state[base + IS_FAULTY] > 0.0 else alarm
+    alarm = choose(abs(state[base + DIAMETER] - 1.0) > NOTED_CORRECTION, ALARM_DIAMETER, 0.0)
+    alarm = choose(state[base + SAFETY_FILL] > 0.0, ALARM_SAFETY_TIMER, alarm)
+    return choose(state[base + IS_FAULTY] > 0.0, ALARM_SENSOR, alarm)
 
 
 def freed_place(state: FloatArray) -> int:
@@ -88,24 +89,25 @@ def _protect(
     """Put the command of one axle into the state: without branches, for packed arithmetic."""
     lower, upper = state[base + BAND_LOWER], state[base + BAND_UPPER]
     works = reference >= parameters.inhibit_speed
-    is_protected = works and state[base + IS_FAULTY] == 0.0
-    slip_speed = reference - state[base + SPEED] if is_protected else 0.0
+    is_believed = state[base + IS_FAULTY] == 0.0
+    is_protected = works & is_believed
+    slip_speed = choose(is_protected, reference - state[base + SPEED], 0.0)
     relative = state[base + ACCELERATION] + deceleration
     wished = wish(parameters.lead_time, slip_speed, relative, lower, upper)
-    wished = wished if is_protected else FILL
+    wished = choose(is_protected, wished, FILL)
     note_slide(state, base, wished, slip_speed, lower, dt)
-    wished = VENT if is_protected and is_freed else wished
+    wished = choose(is_protected & is_freed, VENT, wished)
     must_fill = watch_release(parameters, state, base, state[base + VALVE], dt)
-    wished = FILL if must_fill else wished
+    wished = choose(must_fill, FILL, wished)
     valve = step_filling(parameters, state, base, wished, dt)
     is_motored = state[base + IS_MOTORED] > 0.0
     force = state[base + DYNAMIC]
     share = state[base + DYNAMIC_PERMITTED]
     # the motor goes out first, then the valve works
-    is_motors_turn = is_motored and share > 0.0 and force > parameters.dynamic_least_force
-    valve = HOLD if is_motors_turn and valve == VENT else valve
+    pulls = (share > 0.0) & (force > parameters.dynamic_least_force)
+    valve = choose(is_motored & pulls & (valve == VENT), HOLD, valve)
     after = hand_over(parameters, state, base, wished == VENT, force, share, dt)
-    state[base + DYNAMIC_PERMITTED] = after if is_motored else share
-    state[base + VALVE] = valve if state[base + IS_BRAKED] > 0.0 else FILL
+    state[base + DYNAMIC_PERMITTED] = choose(is_motored, after, share)
+    state[base + VALVE] = choose(state[base + IS_BRAKED] > 0.0, valve, FILL)
     state[base + SANDS] = request_sand(parameters, state, base, reference, dt)
     state[base + ALARM_NOW] = axle_alarm(state, base)

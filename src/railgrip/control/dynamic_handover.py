@@ -5,6 +5,7 @@ from __future__ import annotations
 from railgrip.control.contract import FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.conventional_state import ADHERED_CLOCK, HANDED_OVER
+from railgrip.core.formulas.choosing import choose
 
 
 def hand_over(
@@ -50,10 +51,10 @@ def hand_over(
     0.9
     """
     has_adhered = state[base + ADHERED_CLOCK] > parameters.dynamic_return_after
-    is_out = 0.0 if has_adhered else state[base + HANDED_OVER]
-    goes_out = wants_vent and dynamic_force > parameters.dynamic_least_force
-    is_out = 1.0 if goes_out else is_out
+    is_out = choose(has_adhered, 0.0, state[base + HANDED_OVER])
+    goes_out = wants_vent & (dynamic_force > parameters.dynamic_least_force)
+    is_out = choose(goes_out, 1.0, is_out)
     state[base + HANDED_OVER] = is_out
     release = -dt / parameters.dynamic_release_time
     come_back = dt / parameters.dynamic_return_time
-    return min(1.0, max(0.0, share + (release if is_out > 0.0 else come_back)))
+    return min(1.0, max(0.0, share + choose(is_out > 0.0, release, come_back)))

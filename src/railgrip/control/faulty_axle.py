@@ -28,7 +28,7 @@ from railgrip.control.contract import (
 )
 from railgrip.control.conventional_state import FREED_AXLE, IS_FAULTY, SLIDES
 from railgrip.control.lone_leader import runs_free
-from railgrip.control.state_layout import axle_base
+from railgrip.control.state_layout import axle_base, group_base, groups, in_group
 
 CAUTION: Final = 0.75
 """A follower behind a sliding neighbour takes no more than this share of its pressure: it does not
@@ -68,7 +68,10 @@ def follow_neighbours(
     >>> float(command[1, DUMP_VALVE])
     2.0
     """
-    for axle in range(measured.shape[0]):
+    n_axles = measured.shape[0]
+    if count_faulty(state, n_axles) == 0:
+        return
+    for axle in range(n_axles):
         if state[axle_base(axle) + IS_FAULTY] > 0.0:
             like = most_released(axle_setup, state, measured, command, axle, BOGIE)
             if like < 0:
@@ -79,6 +82,16 @@ def follow_neighbours(
             if runs_free(state, axle_base(axle)) and axle_setup[axle, BRAKED] > 0.0:
                 command[axle, DUMP_VALVE] = VENT
                 command[axle, DYNAMIC_SHARE] = 0.0
+
+
+def count_faulty(state: FloatArray, n_axles: int) -> int:
+    """Return how many axles have a sensor that is not believed."""
+    n_faulty = 0
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            n_faulty += state[base + IS_FAULTY] > 0.0
+    return n_faulty
 
 
 def most_released(

@@ -63,6 +63,6 @@ def reckon_with_forces(
     effort = by_forces / parameters[DECELERATION_PER_PRESSURE]
     deceleration = state[PRESSURE_GAIN] * effort + state[OFFSET]
     state[DECELERATION] = max(-GREATEST_OFFSET, min(GREATEST_DECELERATION, deceleration))
-    free_an_axle(parameters, state, wheels.candidate, wheels.is_witnessed, slip_lower, dt)
+    free_an_axle(parameters, state, n_axles, wheels.is_witnessed, slip_lower, dt)
     advance_reference(parameters, state, wheels.fastest, wheels.seen, dt)
     learn_pressure_gain(parameters, state, effort, wheels.fastest, wheels.is_adhering, dt)

@@ -15,13 +15,22 @@ from railgrip.control.conventional_parameters import (
     FREE_LONGEST,
     INHIBIT_SPEED,
 )
-from railgrip.control.conventional_state import DRIFT, FREED_AXLE, FREED_TIME, REFERENCE
+from railgrip.control.conventional_state import (
+    BELIEVED_SPEED,
+    DRIFT,
+    FREED_AXLE,
+    FREED_TIME,
+    IS_BRAKED,
+    IS_MOTORED,
+    REFERENCE,
+)
+from railgrip.control.state_layout import axle_base
 
 
 def free_an_axle(
     parameters: FloatArray,
     state: FloatArray,
-    candidate: int,
+    n_axles: int,
     is_witnessed: bool,
     slip_lower: float,
     dt: float,
@@ -32,8 +41,8 @@ def free_an_axle(
     ----------
     parameters, state : ndarray
         As in the controller contract.
-    candidate : int
-        The fastest axle that can be released; -1 for none.
+    n_axles : int
+        Number of axles.
     is_witnessed : bool
         Whether enough axles adhere for the reference speed to be trusted.
     slip_lower : float
@@ -55,6 +64,22 @@ def free_an_axle(
             state[DRIFT] = 0.0
         return
     trusted = max(parameters[DRIFT_FLOOR], parameters[DRIFT_SHARE] * slip_lower * reference)
-    if state[DRIFT] > trusted and candidate >= 0 and reference > parameters[INHIBIT_SPEED]:
-        state[FREED_AXLE] = 1.0 + candidate
-        state[FREED_TIME] = 0.0
+    if state[DRIFT] > trusted and reference > parameters[INHIBIT_SPEED]:
+        candidate = fastest_to_free(state, n_axles)
+        if candidate >= 0:
+            state[FREED_AXLE] = 1.0 + candidate
+            state[FREED_TIME] = 0.0
+
+
+def fastest_to_free(state: FloatArray, n_axles: int) -> int:
+    """Return the axle, faster than all before it, that can be released; -1 for none."""
+    fastest = 0.0
+    candidate = -1
+    for axle in range(n_axles):
+        base = axle_base(axle)
+        speed = state[base + BELIEVED_SPEED]
+        if speed > fastest:
+            fastest = speed
+            if state[base + IS_BRAKED] + state[base + IS_MOTORED] > 0.0:
+                candidate = axle
+    return candidate

@@ -13,6 +13,7 @@ from railgrip.control.conventional_state import (
     PRESSURE,
     SAFETY_FILL,
 )
+from railgrip.core.formulas.choosing import choose
 
 GAINING_ACCELERATION: Final = 0.3
 """A wheel that turns faster by so much, m/s², is on its way back: the timer waits."""
@@ -53,16 +54,17 @@ def watch_release(
     acceleration = state[base + ACCELERATION]
     was_filling = state[base + SAFETY_FILL] > 0.0
     has_settled = state[base + ADHERED_CLOCK] > parameters.settle_time
-    is_alive = acceleration < ALIVE_ACCELERATION or has_settled
-    is_released = valve_before == VENT or state[base + PRESSURE] < parameters.empty_pressure
+    is_alive = (acceleration < ALIVE_ACCELERATION) | has_settled
+    is_empty = state[base + PRESSURE] < parameters.empty_pressure
+    is_released = (valve_before == VENT) | is_empty
     fills = valve_before == FILL
-    counts = is_released and acceleration < GAINING_ACCELERATION and not fills
+    counts = is_released & (acceleration < GAINING_ACCELERATION) & (not fills)
     kept = state[base + KEPT_CLOCK]
-    clock = kept + dt if counts else kept
-    clock = 0.0 if fills else clock
-    runs_out = counts and clock > parameters.safety_time
-    must_fill = not is_alive if was_filling else runs_out
-    after_filling = 0.0 if is_alive else kept
-    state[base + KEPT_CLOCK] = after_filling if was_filling else clock
-    state[base + SAFETY_FILL] = 1.0 if must_fill else 0.0
-    return bool(must_fill)
+    clock = choose(counts, kept + dt, kept)
+    clock = choose(fills, 0.0, clock)
+    runs_out = counts & (clock > parameters.safety_time)
+    must_fill = (was_filling & (not is_alive)) | ((not was_filling) & runs_out)
+    after_filling = choose(is_alive, 0.0, kept)
+    state[base + KEPT_CLOCK] = choose(was_filling, after_filling, clock)
+    state[base + SAFETY_FILL] = choose(must_fill, 1.0, 0.0)
+    return must_fill

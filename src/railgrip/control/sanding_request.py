@@ -5,6 +5,7 @@ from __future__ import annotations
 from railgrip.control.contract import FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.conventional_state import SAND_CLOCK, SLIDES
+from railgrip.core.formulas.choosing import choose
 
 
 def request_sand(
@@ -27,9 +28,9 @@ def request_sand(
         Period, [s].
     """
     clock = state[base + SAND_CLOCK]
-    is_due = clock > 0.0 or clock <= -parameters.sand_after
-    sliding = parameters.sand_time if is_due else clock - dt
-    slides = state[base + SLIDES] > 0.0 and reference > parameters.sand_above
-    clock = sliding if slides else max(0.0, clock - dt)
+    is_due = (clock > 0.0) | (clock <= -parameters.sand_after)
+    sliding = choose(is_due, parameters.sand_time, clock - dt)
+    slides = (state[base + SLIDES] > 0.0) & (reference > parameters.sand_above)
+    clock = choose(slides, sliding, max(0.0, clock - dt))
     state[base + SAND_CLOCK] = clock
-    return 1.0 if clock > 0.0 else 0.0
+    return choose(clock > 0.0, 1.0, 0.0)

@@ -6,6 +6,7 @@ from typing import Final
 
 from railgrip.control.contract import FILL, HOLD, VENT, FloatArray
 from railgrip.control.conventional_state import ADHERED_CLOCK, SLIDES
+from railgrip.core.formulas.choosing import choose
 
 ADHERES_AFTER: Final = 0.3
 """A slide has ended when slip stayed under the lower threshold so long, s."""
@@ -48,16 +49,16 @@ def wish(
     1.0
     """
     foreseen = slip_speed - lead_time * relative_acceleration
-    wished = FILL if foreseen < lower else HOLD
-    return VENT if foreseen > upper else wished
+    wished = choose(foreseen < lower, FILL, HOLD)
+    return choose(foreseen > upper, VENT, wished)
 
 
 def note_slide(
     state: FloatArray, base: int, wished: float, slip_speed: float, lower: float, dt: float
 ) -> None:
     """Update in the state whether the axle slides, and since when it adheres."""
-    adheres = wished == FILL and slip_speed < lower
-    clock = state[base + ADHERED_CLOCK] + dt if adheres else 0.0
-    slides = 0.0 if clock > ADHERES_AFTER else state[base + SLIDES]
+    adheres = (wished == FILL) & (slip_speed < lower)
+    clock = choose(adheres, state[base + ADHERED_CLOCK] + dt, 0.0)
+    slides = choose(clock > ADHERES_AFTER, 0.0, state[base + SLIDES])
     state[base + ADHERED_CLOCK] = clock
-    state[base + SLIDES] = 1.0 if wished == VENT else slides
+    state[base + SLIDES] = choose(wished == VENT, 1.0, slides)

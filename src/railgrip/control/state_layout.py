@@ -24,9 +24,9 @@ OWN_TRAIN: Final = 27  # then temperature control or traction (`temperature_stat
 N_TRAIN: Final = 3 * GROUP
 
 # Each axle, in the same order.
-OF_SUPERVISOR: Final = 36
-OWN: Final = 49
-N_AXLE: Final = 135
+OF_SUPERVISOR: Final = 38
+OWN: Final = 51
+N_AXLE: Final = 137
 
 
 def axle_base(axle: int) -> int:
@@ -35,7 +35,7 @@ def axle_base(axle: int) -> int:
     Examples
     --------
     >>> axle_base(0), axle_base(2), axle_base(16)
-    (48, 50, 2208)
+    (48, 50, 2240)
     """
     return N_TRAIN + axle // GROUP * (GROUP * N_AXLE) + axle % GROUP
 
@@ -82,6 +82,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(16)
-    2208
+    2240
     """
     return group_base(groups(n_axles))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from railgrip.control.contract import FILL, HOLD, FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.conventional_state import ADHERED_CLOCK, FILL_CLOCK
+from railgrip.core.formulas.choosing import choose
 
 
 def step_filling(
@@ -37,10 +38,10 @@ def step_filling(
     """
     clock = state[base + FILL_CLOCK]
     has_settled = state[base + ADHERED_CLOCK] > parameters.settle_time
-    valve = FILL if has_settled or clock < parameters.fill_pulse else HOLD
+    valve = choose(has_settled | (clock < parameters.fill_pulse), FILL, HOLD)
     after = clock + dt
-    after = 0.0 if after >= parameters.fill_pulse + parameters.fill_hold else after
-    after = clock if has_settled else after
+    after = choose(after >= parameters.fill_pulse + parameters.fill_hold, 0.0, after)
+    after = choose(has_settled, clock, after)
     fills = wished == FILL
-    state[base + FILL_CLOCK] = after if fills else 0.0
-    return valve if fills else wished
+    state[base + FILL_CLOCK] = choose(fills, after, 0.0)
+    return choose(fills, valve, wished)

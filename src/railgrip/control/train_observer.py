@@ -9,11 +9,11 @@ from railgrip.control.contract import BRAKE_DEMAND, FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters, conventional_of
 from railgrip.control.conventional_state import (
     ACCELERATION,
+    BELIEVED_ACCELERATION,
+    BELIEVED_SPEED,
     DYNAMIC,
     EFFORT,
-    IS_BRAKED,
     IS_FAULTY,
-    IS_MOTORED,
     PRESSURE,
     REFERENCE,
     SETTLED_CLOCK,
@@ -29,6 +29,7 @@ from railgrip.control.lone_leader import VOTES_AFTER, VOTES_AT_MOST, outvote_lea
 from railgrip.control.reference_speed import advance_reference
 from railgrip.control.state_layout import axle_base, group_base, groups, in_group
 from railgrip.control.wheel_speed import read_wheel
+from railgrip.core.formulas.choosing import choose
 
 LOCKED_SHARE: Final = 0.05  # of the reference speed: the brake of a locked wheel measures nothing
 GAINING_ACCELERATION: Final = 0.2  # m/s²: an unbraked wheel that gains no more turns with the train
@@ -47,8 +48,6 @@ class Wheels(NamedTuple):
     ----------
     fastest, seen : float
         Greatest believable speed; speed of a wheel that runs free, -1 where there is none, [m/s].
-    candidate : int
-        The fastest axle that can be released; -1 for none.
     effort : float
         Mean braking pressure, [Pa].
     acceleration : float
@@ -59,7 +58,6 @@ class Wheels(NamedTuple):
 
     fastest: float
     seen: float
-    candidate: int
     effort: float
     acceleration: float
     is_witnessed: bool
@@ -87,7 +85,7 @@ def observe_train(
     """
     wheels = look_at_wheels(parameters, state, measured, slip_lower, dt)
     estimate_deceleration(parameters, state, wheels.effort, wheels.acceleration)
-    free_an_axle(parameters, state, wheels.candidate, wheels.is_witnessed, slip_lower, dt)
+    free_an_axle(parameters, state, measured.shape[0], wheels.is_witnessed, slip_lower, dt)
     advance_reference(parameters, state, wheels.fastest, wheels.seen, dt)
     learn_pressure_gain(parameters, state, wheels.effort, wheels.fastest, wheels.is_adhering, dt)
 
@@ -106,14 +104,13 @@ def look_at_wheels(
     counts = _read_wheels(parameters, state, n_axles, slip_lower, is_braking, dt)
     sums = _sum_up(state, n_axles, counts.valid)
     seen = sums.seen
-    if counts.voters >= ENOUGH_WITNESSES and sums.leader >= 0:
-        voted = outvote_leader(state, measured, sums.leader, dt)
+    if counts.voters >= ENOUGH_WITNESSES and sums.fastest > 0.0:
+        voted = outvote_leader(state, measured, _leader(state, n_axles, sums.fastest), dt)
         seen = voted if voted >= 0.0 else seen
     is_witnessed = counts.witnesses >= min(ENOUGH_WITNESSES, n_axles)
     is_adhering = counts.sliding == 0 and is_witnessed
     return Wheels(
-        sums.fastest, seen, sums.candidate, sums.effort, sums.acceleration, is_witnessed,
-        is_adhering,
+        sums.fastest, seen, sums.effort, sums.acceleration, is_witnessed, is_adhering,
     )  # fmt: skip
 
 
@@ -151,57 +148,67 @@ def _read_wheels(
             _settle(own, state, base, dt)
             _stay_near(state, base, reference, near, dt)
             is_valid = state[base + IS_FAULTY] == 0.0
-            n_valid += 1 if is_valid else 0
-            n_witnesses += 1 if is_valid and state[base + WITNESS_CLOCK] > WITNESS_AFTER else 0
-            n_sliding += 1 if is_valid and state[base + SLIDES] > 0.0 else 0
-            n_voters += 1 if is_valid and state[base + VOTE_CLOCK] > VOTES_AFTER else 0
+            _note_believed(state, base, is_valid)
+            n_valid += is_valid
+            is_witness = state[base + WITNESS_CLOCK] > WITNESS_AFTER
+            slides = state[base + SLIDES] > 0.0
+            votes = state[base + VOTE_CLOCK] > VOTES_AFTER
+            n_witnesses += is_valid & is_witness
+            n_sliding += is_valid & slides
+            n_voters += is_valid & votes
     return Counts(n_valid, n_witnesses, n_sliding, n_voters)
 
 
 class Sums(NamedTuple):
-    """As in `Wheels`, before the vote; the fastest axle, -1 for none."""
+    """As in `Wheels`, before the vote."""
 
     fastest: float
-    leader: int
-    candidate: int
     seen: float
     effort: float
     acceleration: float
 
 
 def _sum_up(state: FloatArray, n_axles: int, n_valid: int) -> Sums:
-    """Find the fastest wheel, and sum up in the order of the axles."""
+    """Find the greatest speeds, and sum up in the order of the axles."""
     fastest = 0.0
-    leader = -1
-    candidate = -1
     seen = -1.0
     effort = 0.0
     acceleration = 0.0
-    for axle in range(n_axles):
-        base = axle_base(axle)
-        is_valid = state[base + IS_FAULTY] == 0.0
-        speed = state[base + SPEED]
-        shown = state[base + SHOWN_SPEED]
-        acceleration += state[base + ACCELERATION] if is_valid else 0.0
-        effort += state[base + EFFORT] if is_valid else 0.0
-        seen = shown if is_valid and shown > seen else seen
-        is_faster = is_valid and speed > fastest
-        can_be_freed = state[base + IS_BRAKED] + state[base + IS_MOTORED] > 0.0
-        fastest = speed if is_faster else fastest
-        leader = axle if is_faster else leader
-        candidate = axle if is_faster and can_be_freed else candidate
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            fastest = max(fastest, state[base + BELIEVED_SPEED])
+            seen = max(seen, state[base + SHOWN_SPEED])
+            effort += state[base + EFFORT]
+            acceleration += state[base + BELIEVED_ACCELERATION]
     if seen < max(FREE_SHARE * fastest, LOCKED_SHARE * state[REFERENCE]):
         seen = -1.0
     if n_valid > 0:
         effort /= n_valid
         acceleration /= n_valid
-    return Sums(fastest, leader, candidate, seen, effort, acceleration)
+    return Sums(fastest, seen, effort, acceleration)
+
+
+def _leader(state: FloatArray, n_axles: int, fastest: float) -> int:
+    """Return the first axle that is as fast as the fastest."""
+    for axle in range(n_axles):
+        if state[axle_base(axle) + BELIEVED_SPEED] == fastest:
+            return axle
+    return -1
 
 
 def braking_pressure(parameters: ConventionalParameters, state: FloatArray, base: int) -> float:
     """Return the cylinder pressure that would brake as much as all brakes of the axle, [Pa]."""
     pressure = state[base + PRESSURE] + parameters.pressure_per_force * state[base + DYNAMIC]
-    return pressure if 0.0 < pressure < 1.0e7 else 0.0
+    return choose((pressure > 0.0) & (pressure < 1.0e7), pressure, 0.0)
+
+
+def _note_believed(state: FloatArray, base: int, is_valid: bool) -> None:
+    """Put into the sums to come what a believed sensor says, and nothing for another."""
+    state[base + BELIEVED_SPEED] = choose(is_valid, state[base + SPEED], 0.0)
+    state[base + BELIEVED_ACCELERATION] = choose(is_valid, state[base + ACCELERATION], 0.0)
+    state[base + EFFORT] = choose(is_valid, state[base + EFFORT], 0.0)
+    state[base + SHOWN_SPEED] = choose(is_valid, state[base + SHOWN_SPEED], -1.0)
 
 
 def _weigh_effort(
@@ -209,15 +216,15 @@ def _weigh_effort(
 ) -> None:
     """Note how hard the axle brakes; the brake of a locked wheel tells nothing."""
     tells = state[base + SPEED] >= LOCKED_SHARE * reference
-    state[base + EFFORT] = braking_pressure(parameters, state, base) if tells else 0.0
+    state[base + EFFORT] = choose(tells, braking_pressure(parameters, state, base), 0.0)
 
 
 def _stay_near(state: FloatArray, base: int, reference: float, near: float, dt: float) -> None:
     """Count how long a believed wheel has turned at the reference speed."""
     is_near = reference - state[base + SPEED] < near
-    clock = state[base + WITNESS_CLOCK] + dt if is_near else 0.0
+    clock = choose(is_near, state[base + WITNESS_CLOCK] + dt, 0.0)
     is_valid = state[base + IS_FAULTY] == 0.0
-    state[base + WITNESS_CLOCK] = clock if is_valid else state[base + WITNESS_CLOCK]
+    state[base + WITNESS_CLOCK] = choose(is_valid, clock, state[base + WITNESS_CLOCK])
 
 
 def _settle(parameters: ConventionalParameters, state: FloatArray, base: int, dt: float) -> None:
@@ -228,14 +235,14 @@ def _settle(parameters: ConventionalParameters, state: FloatArray, base: int, dt
     it is the majority of the readings that counts.
     """
     is_valid = state[base + IS_FAULTY] == 0.0
-    is_unbraked = (
-        state[base + PRESSURE] < parameters.empty_pressure
-        and state[base + DYNAMIC] < parameters.dynamic_least_force
-    )
-    settles = is_unbraked and state[base + ACCELERATION] < GAINING_ACCELERATION
-    votes = state[base + VOTE_CLOCK] + (dt if settles else -dt)
-    votes = min(max(votes, 0.0), VOTES_AT_MOST) if is_unbraked else 0.0
-    clock = state[base + SETTLED_CLOCK] + dt if settles else 0.0
-    state[base + VOTE_CLOCK] = votes if is_valid else state[base + VOTE_CLOCK]
-    state[base + SETTLED_CLOCK] = clock if is_valid else state[base + SETTLED_CLOCK]
-    state[base + SHOWN_SPEED] = state[base + SPEED] if clock > SETTLED_AFTER else -1.0
+    is_empty = state[base + PRESSURE] < parameters.empty_pressure
+    is_idle = state[base + DYNAMIC] < parameters.dynamic_least_force
+    gains = state[base + ACCELERATION] >= GAINING_ACCELERATION
+    is_unbraked = is_empty & is_idle
+    settles = is_unbraked & (not gains)
+    votes = state[base + VOTE_CLOCK] + choose(settles, dt, -dt)
+    votes = choose(is_unbraked, min(max(votes, 0.0), VOTES_AT_MOST), 0.0)
+    clock = choose(settles, state[base + SETTLED_CLOCK] + dt, 0.0)
+    state[base + VOTE_CLOCK] = choose(is_valid, votes, state[base + VOTE_CLOCK])
+    state[base + SETTLED_CLOCK] = choose(is_valid, clock, state[base + SETTLED_CLOCK])
+    state[base + SHOWN_SPEED] = choose(clock > SETTLED_AFTER, state[base + SPEED], -1.0)

@@ -28,6 +28,7 @@ from railgrip.control.conventional_state import (
     SPEED_LAG,
 )
 from railgrip.control.lone_leader import OUTVOTED_AFTER
+from railgrip.core.formulas.choosing import choose
 
 ROUGH: Final = 0.15
 """Mean change of the step from reading to reading, m/s, that no wheel shows."""
@@ -77,22 +78,22 @@ def read_wheel(
     trembles, is none of a wheel either, and an axle that other wheels outvoted stays so.
     """
     reading = state[base + READING]
-    is_number = -GREATEST_SPEED < reading < GREATEST_SPEED
-    magnitude = abs(reading) if is_number else 0.0
+    is_number = abs(reading) < GREATEST_SPEED
+    magnitude = choose(is_number, abs(reading), 0.0)
     is_spoilt = _trembles(state, base, magnitude, is_number, dt)
     is_dropped = _stays_dropped(state, base, is_braking, is_number, dt)
-    is_wrong = is_spoilt or is_dropped or not is_number
-    state[base + IS_FAULTY] = 1.0 if is_wrong else state[base + IS_FAULTY]
-    state[base + DEAD_CLOCK] = parameters.dead_time if is_wrong else state[base + DEAD_CLOCK]
+    is_wrong = is_spoilt | is_dropped | (not is_number)
+    state[base + IS_FAULTY] = choose(is_wrong, 1.0, state[base + IS_FAULTY])
+    state[base + DEAD_CLOCK] = choose(is_wrong, parameters.dead_time, state[base + DEAD_CLOCK])
     speed = magnitude * state[base + DIAMETER]
-    _watch_dead_sensor(parameters, state, base, speed, is_fast and is_number, dt)
+    _watch_dead_sensor(parameters, state, base, speed, is_fast & is_number, dt)
     blend = dt / (parameters.acceleration_filter + dt)
     lag = state[base + SPEED_LAG]
     lag += blend * (speed - lag)
     acceleration = (speed - lag) / parameters.acceleration_filter
-    state[base + SPEED] = speed if is_number else state[base + SPEED]
-    state[base + SPEED_LAG] = lag if is_number else state[base + SPEED_LAG]
-    state[base + ACCELERATION] = acceleration if is_number else state[base + ACCELERATION]
+    state[base + SPEED] = choose(is_number, speed, state[base + SPEED])
+    state[base + SPEED_LAG] = choose(is_number, lag, state[base + SPEED_LAG])
+    state[base + ACCELERATION] = choose(is_number, acceleration, state[base + ACCELERATION])
 
 
 def _trembles(state: FloatArray, base: int, reading: float, is_number: bool, dt: float) -> bool:
@@ -105,25 +106,25 @@ def _trembles(state: FloatArray, base: int, reading: float, is_number: bool, dt:
     change = min(abs(step - state[base + LAST_STEP]), GREATEST_TREMBLE)
     roughness = state[base + ROUGHNESS]
     roughness += dt * PER_ROUGH_TIME * (change - roughness)
-    state[base + LAST_READING] = reading if is_number else state[base + LAST_READING]
-    state[base + LAST_STEP] = step if is_number else state[base + LAST_STEP]
-    state[base + ROUGHNESS] = roughness if is_number else state[base + ROUGHNESS]
-    is_rough = roughness > ROUGH or abs(step) > GREATEST_JUMP + GREATEST_RATE * dt
-    return bool(is_rough and is_number)
+    state[base + LAST_READING] = choose(is_number, reading, state[base + LAST_READING])
+    state[base + LAST_STEP] = choose(is_number, step, state[base + LAST_STEP])
+    state[base + ROUGHNESS] = choose(is_number, roughness, state[base + ROUGHNESS])
+    is_rough = roughness > ROUGH
+    jumps = abs(step) > GREATEST_JUMP + GREATEST_RATE * dt
+    return (is_rough | jumps) & is_number
 
 
 def _stays_dropped(
     state: FloatArray, base: int, is_braking: bool, is_number: bool, dt: float
 ) -> bool:
     """Return whether other wheels have outvoted the axle in this application of the brake."""
-    clock = state[base + LEAD_CLOCK]
-    clock = clock if is_braking else 0.0
+    clock = choose(is_braking, state[base + LEAD_CLOCK], 0.0)
     is_dropped = clock > OUTVOTED_AFTER
-    clock = clock + dt if is_dropped else clock
-    state[base + LEAD_CLOCK] = clock if is_number else state[base + LEAD_CLOCK]
-    forgets = is_number and not is_braking
-    state[base + CORRECTIONS] = 0.0 if forgets else state[base + CORRECTIONS]
-    return bool(is_dropped and is_number)
+    clock = choose(is_dropped, clock + dt, clock)
+    state[base + LEAD_CLOCK] = choose(is_number, clock, state[base + LEAD_CLOCK])
+    forgets = is_number & (not is_braking)
+    state[base + CORRECTIONS] = choose(forgets, 0.0, state[base + CORRECTIONS])
+    return is_dropped & is_number
 
 
 def _watch_dead_sensor(
@@ -131,21 +132,20 @@ def _watch_dead_sensor(
     dt: float,
 ) -> None:  # fmt: skip
     """Decide between a locked wheel and a dead or frozen sensor, with clocks."""
-    is_braked = (
-        state[base + PRESSURE] >= parameters.empty_pressure
-        or state[base + DYNAMIC] >= parameters.dynamic_least_force
-    )
+    is_filled = state[base + PRESSURE] >= parameters.empty_pressure
+    is_driven = state[base + DYNAMIC] >= parameters.dynamic_least_force
+    is_braked = is_filled | is_driven
     turns = speed > parameters.dead_speed
     is_same = state[base + LAST_STEP] == 0.0
-    frozen = state[base + FROZEN_CLOCK] + dt if is_same and is_braked else 0.0
-    frozen = frozen if turns else state[base + FROZEN_CLOCK]
+    frozen = choose(is_same & is_braked, state[base + FROZEN_CLOCK] + dt, 0.0)
+    frozen = choose(turns, frozen, state[base + FROZEN_CLOCK])
     before = state[base + DEAD_CLOCK]
     turning = max(0.0, before - dt)
-    turning = parameters.dead_time if frozen >= parameters.frozen_time else turning
-    standing = before if is_braked else min(parameters.dead_time, before + dt)
-    clock = turning if turns else standing
-    faulty = 0.0 if clock <= 0.0 else state[base + IS_FAULTY]
-    faulty = 1.0 if clock >= parameters.dead_time else faulty
-    state[base + FROZEN_CLOCK] = frozen if watches else state[base + FROZEN_CLOCK]
-    state[base + DEAD_CLOCK] = clock if watches else before
-    state[base + IS_FAULTY] = faulty if watches else state[base + IS_FAULTY]
+    turning = choose(frozen >= parameters.frozen_time, parameters.dead_time, turning)
+    standing = choose(is_braked, before, min(parameters.dead_time, before + dt))
+    clock = choose(turns, turning, standing)
+    faulty = choose(clock <= 0.0, 0.0, state[base + IS_FAULTY])
+    faulty = choose(clock >= parameters.dead_time, 1.0, faulty)
+    state[base + FROZEN_CLOCK] = choose(watches, frozen, state[base + FROZEN_CLOCK])
+    state[base + DEAD_CLOCK] = choose(watches, clock, before)
+    state[base + IS_FAULTY] = choose(watches, faulty, state[base + IS_FAULTY])

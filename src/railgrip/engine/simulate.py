@@ -86,22 +86,29 @@ def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
     n_vehicles = len(plan.formation.vehicle_front)
     ring = ring_cells(plan, prepared.scenario.train.length, whole_line) * lanes
     return Memory(
-        lanes=np.zeros((1 + n_axles) * at.N_VARS * lanes),
-        reservoirs=np.zeros(n_vehicles * lanes),
-        ring_energy=np.zeros(ring),
-        ring_factor=np.ones(ring),
-        ring_sand=np.zeros(ring),
-        controller_state=np.zeros((lanes, max(prepared.compiled.state_size, 1))),
-        measured=np.zeros((lanes, ctl.N_MEASURED, n_axles)),
-        command=np.zeros((lanes, ctl.N_COMMAND, n_axles)),
-        monitor_state=np.zeros((lanes, rotation_state_size(n_axles))),
-        alarm=np.zeros((lanes, n_axles)),
-        brake_state=np.zeros((lanes, brake_state_size(n_axles) if plan.brake_control.every else 0)),
-        brake_measured=np.zeros((lanes, n_axles, table.N_MEASURED)),
-        brake_command=np.zeros((lanes, n_axles, table.N_COMMAND)),
-        driver_state=np.zeros((lanes, DRIVER_STATES)),
-        demand_history=np.zeros((lanes, 1 + int(plan.driver.late.max(initial=0)))),
+        lanes=_aligned((1 + n_axles) * at.N_VARS * lanes),
+        reservoirs=_aligned(n_vehicles * lanes),
+        ring_energy=_aligned(ring),
+        ring_factor=_aligned(ring) + 1.0,
+        ring_sand=_aligned(ring),
+        controller_state=_aligned((lanes, max(prepared.compiled.state_size, 1))),
+        measured=_aligned((lanes, ctl.N_MEASURED, n_axles)),
+        command=_aligned((lanes, ctl.N_COMMAND, n_axles)),
+        monitor_state=_aligned((lanes, rotation_state_size(n_axles))),
+        alarm=_aligned((lanes, n_axles)),
+        brake_state=_aligned((lanes, brake_state_size(n_axles) if plan.brake_control.every else 0)),
+        brake_measured=_aligned((lanes, n_axles, table.N_MEASURED)),
+        brake_command=_aligned((lanes, n_axles, table.N_COMMAND)),
+        driver_state=_aligned((lanes, DRIVER_STATES)),
+        demand_history=_aligned((lanes, 1 + int(plan.driver.late.max(initial=0)))),
     )
+
+
+def _aligned(shape):
+    size = int(np.prod(shape))
+    room = np.zeros(size + 8)
+    first = -room.ctypes.data % 64 // 8
+    return room[first : first + size].reshape(shape)
 
 
 def outcome(prepared: Prepared, n_runs: int, traced: bool) -> Outcome:
