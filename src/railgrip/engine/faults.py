@@ -23,7 +23,6 @@ NOISE_STREAM = 100
 SEIZED = 1.0
 """Dry friction of an axle that seizes, over its static load: more than any rail gives, and little
 enough that the wheel takes a few tenths of a second to stand (illustrative)."""
-WRAP = at.MAX_DELAY - 1
 
 _normal = inlined(standard_normal)
 
@@ -35,10 +34,10 @@ def _acts(faults: Any, i: int, tick: int, run: int) -> bool:
 
 
 @compiled
-def break_sensors(L: int, S: Any, faults: Any, moment: int, seed: int, k: int) -> None:
+def break_sensors(L: int, S: Any, faults: Any, kept: int, moment: int, seed: int, k: int) -> None:
     """Spoil what the sensors of lane k hand over in this tick."""
-    now = (at.SPEED_HISTORY + (moment & WRAP)) * L + k
-    before = (at.SPEED_HISTORY + ((moment - 1) & WRAP)) * L + k
+    now = (at.SPEED_HISTORY + (moment & kept)) * L + k
+    before = (at.SPEED_HISTORY + ((moment - 1) & kept)) * L + k
     tick = int(S[at.TICK * L + k])
     run, number = int(S[at.RUN * L + k]), int(S[at.NUMBER * L + k])
     for i in range(faults.axle.shape[0]):
@@ -76,9 +75,9 @@ def break_valves(
         fills = kind == VALVE_FILLS
         if kind == VALVE_DELAYED:
             late = moment - faults.ticks[i]
-            slot = at.VALVE_HISTORY + ((late - timing.vent_delay) & WRAP)
+            slot = at.VALVE_HISTORY + ((late - timing.vent_delay) & timing.kept)
             vents = S[b + slot * L] == ctl.VENT
-            slot = at.VALVE_HISTORY + ((late - timing.fill_delay) & WRAP)
+            slot = at.VALVE_HISTORY + ((late - timing.fill_delay) & timing.kept)
             fills = S[b + slot * L] == ctl.FILL and not vents
         S[b + at.IS_VENT * L] = 1.0 if vents else 0.0
         S[b + at.IS_FILL * L] = 1.0 if fills else 0.0

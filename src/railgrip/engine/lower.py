@@ -58,11 +58,12 @@ def lower(scenario: Scenario, control_period: float, parameters: FloatArray) -> 
     table, brakes = lower_train(scenario)
     way = _way(scenario)
     creep_law, creep_tables = find_creep_law(scenario, way.conditions[0])
+    faults = _faults(scenario)
     return Plan(
         way=way,
-        timing=_timing(scenario, control_period),
+        timing=_timing(scenario, control_period, faults),
         formation=_formation(scenario, table, brakes),
-        faults=_faults(scenario),
+        faults=faults,
         n_axles=np.uint64(scenario.train.n_axles),
         creep_law=creep_law,
         creep_tables=creep_tables,
@@ -87,7 +88,19 @@ def _ticks(scenario: Scenario, where: str, time: float) -> int:
     return int(ticks)
 
 
-def _timing(scenario: Scenario, control_period: float) -> Timing:
+def _kept(scenario: Scenario, sensor_delay: int, valve_delay: int, faults: Faults) -> int:
+    """Return how many ticks the longest delay reaches back, up to a power of two less one."""
+    added = int(faults.ticks.max(initial=0))
+    if added > 0:
+        _ticks(
+            scenario, "fault.delay and the valve's own", (valve_delay + added) * scenario.run.step
+        )
+    # a frozen sensor looks one tick back
+    longest = max(sensor_delay, valve_delay + added, 1)
+    return int(2 ** longest.bit_length() - 1)
+
+
+def _timing(scenario: Scenario, control_period: float, faults: Faults) -> Timing:
     run, train = scenario.run, scenario.train
     every = control_period / run.step
     if abs(every - round(every)) > 1e-6 or every < 0.5:
@@ -103,6 +116,10 @@ def _timing(scenario: Scenario, control_period: float) -> Timing:
     braking = [tick for tick, point in zip(ticks, points, strict=True) if point.level > 0]
     valve = train.dump_valve
     sander = train.sander
+    sensor_delay = _ticks(scenario, "train.sensor.delay", train.sensor.delay)
+    where = "train.dump_valve"
+    vent_delay = _ticks(scenario, f"{where}.vent_delay", valve.vent_delay if valve else 0.0)
+    fill_delay = _ticks(scenario, f"{where}.fill_delay", valve.fill_delay if valve else 0.0)
     return Timing(
         tick=run.step,
         limit=round((run.duration or run.time_limit) / run.step),
@@ -117,15 +134,12 @@ def _timing(scenario: Scenario, control_period: float) -> Timing:
         drive_tick=np.array([round(point.at / run.step) for point in drive], dtype=np.int64),
         drive_level=np.array([point.level for point in drive]),
         goes_on=int(run.duration is not None),
-        sensor_delay=_ticks(scenario, "train.sensor.delay", train.sensor.delay),
+        sensor_delay=sensor_delay,
         sensor_teeth=float(train.sensor.teeth),
         sensor_timer=train.sensor.timer,
-        vent_delay=_ticks(
-            scenario, "train.dump_valve.vent_delay", valve.vent_delay if valve else 0
-        ),
-        fill_delay=_ticks(
-            scenario, "train.dump_valve.fill_delay", valve.fill_delay if valve else 0
-        ),
+        vent_delay=vent_delay,
+        fill_delay=fill_delay,
+        kept=_kept(scenario, sensor_delay, max(vent_delay, fill_delay), faults),
         sand_delay=sander.delay if sander else 0.0,
         sand_cut_out=sander.cut_out_speed if sander else 0.0,
     )

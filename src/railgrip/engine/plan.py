@@ -67,7 +67,11 @@ class Way(NamedTuple):
 
 
 class Timing(NamedTuple):
-    """Time in ticks, and what is sampled."""
+    """Time in ticks, and what is sampled.
+
+    So many ticks of measured speeds and valve commands are ``kept``, less one: a power of two that
+    covers the delays, and no more, since every place in use wants its room in the cache.
+    """
 
     tick: float
     limit: int
@@ -87,6 +91,7 @@ class Timing(NamedTuple):
     sensor_timer: float
     vent_delay: int
     fill_delay: int
+    kept: int
     sand_delay: float
     sand_cut_out: float
 
