@@ -29,6 +29,8 @@ from railgrip.control.adaptive_state import (
     FOLLOWER_FORCE,
     FORCE,
     HAS_BRAKE,
+    IN_MACRO,
+    IN_MICRO,
     IS_ARMED,
     IS_LEAD,
     LEADER_FORCE,
@@ -64,8 +66,9 @@ from railgrip.control.conventional_state import (
     SPEED,
 )
 from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import axle_base, group_base, groups, in_group
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 from railgrip.control.train_observer import braking_pressure
+from railgrip.core.formulas.choosing import choose
 
 RELEASED_AFTER: Final = 1.0  # s without brake and without gain of speed: released or cut out
 
@@ -136,10 +139,11 @@ def weigh_axles(parameters: FloatArray, state: FloatArray, n_axles: int, dt: flo
     deceleration = state[DECELERATION]
     freed = freed_place(state)
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             base = group_base(group) + i
             _weigh(own, same, state, base, reference, deceleration, base == freed, dt)
-    _sum_up(parameters, state, n_axles)
+    _find_leads(parameters, state, n_axles)
+    _sum_up(state, n_axles)
 
 
 def _weigh(
@@ -154,7 +158,7 @@ def _weigh(
 ) -> None:
     """Update one axle: without branches, for packed arithmetic."""
     brakes = has_brake(state, base)
-    works = brakes and not is_freed
+    works = brakes & (not is_freed)
     slip_speed = reference - state[base + SPEED]
     acceleration = state[base + ACCELERATION]
     pressure = braking_pressure(parameters, state, base)
@@ -163,69 +167,78 @@ def _weigh(
     is_armed = state[base + IS_ARMED]
     adheres = slip_speed < same.adhering
     grows = acceleration + deceleration < -same.growth
-    breaks = is_armed > 0.0 and slip_speed > same.breaking and grows and not adheres
-    armed = 0.0 if breaks else is_armed
-    armed = 1.0 if adheres else armed
-    clock = state[base + RANGE_CLOCK] + dt if works else 0.0
+    breaks = (is_armed > 0.0) & (slip_speed > same.breaking) & grows & (not adheres)
+    armed = choose(adheres, 1.0, choose(breaks, 0.0, is_armed))
+    clock = choose(works, state[base + RANGE_CLOCK] + dt, 0.0)
     is_new = clock <= same.restart
     mean = state[base + MEAN] + same.mean_blend * (signal - state[base + MEAN])
-    mean = force if is_new else mean
-    slid = 0.0 if is_new else state[base + SLID] + abs(slip_speed) * dt
-    state[base + HAS_BRAKE] = 1.0 if brakes else 0.0
-    state[base + FORCE] = force if works else state[base + FORCE]
-    state[base + F0] = max(force, 0.0) if works and breaks else state[base + F0]
-    state[base + IS_ARMED] = armed if works else is_armed
+    mean = choose(works, choose(is_new, force, mean), state[base + MEAN])
+    slid = choose(is_new, 0.0, state[base + SLID] + abs(slip_speed) * dt)
+    slid = choose(works, slid, state[base + SLID])
+    f0 = choose(works & breaks, max(force, 0.0), state[base + F0])
+    tells = works & (not is_new)
+    is_micro = state[base + RANGE] <= MICRO
+    state[base + HAS_BRAKE] = choose(brakes, 1.0, 0.0)
+    state[base + IS_LEAD] = 0.0
+    state[base + FORCE] = choose(works, force, state[base + FORCE])
+    state[base + F0] = f0
+    state[base + IS_ARMED] = choose(works, armed, is_armed)
     state[base + RANGE_CLOCK] = clock
-    state[base + MEAN] = mean if works else state[base + MEAN]
-    state[base + SLID] = slid if works else state[base + SLID]
-    state[base + COUNTS] = 1.0 if works and not is_new else 0.0
+    state[base + MEAN] = mean
+    state[base + SLID] = slid
+    state[base + COUNTS] = choose(tells, 1.0, 0.0)
+    state[base + IN_MACRO] = choose(tells & (f0 > 0.0) & (not is_micro), 1.0, 0.0)
+    state[base + IN_MICRO] = choose(tells & (f0 > 0.0) & is_micro, 1.0, 0.0)
 
 
-def _sum_up(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
-    """Find the leading axles, and sum up over the axles that count in either range."""
+def _find_leads(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
+    """Note the first axles that brake as the leading ones, and what first and last of them say."""
     n_lead = 0.0
-    n_macro = n_micro = macro_force = micro_force = macro_f0 = macro_slid = 0.0
     leader_force = follower_force = leader_slid = 0.0
     for axle in range(n_axles):
+        if n_lead >= parameters[LEAD_AXLES]:
+            break
         base = axle_base(axle)
-        mean = state[base + MEAN]
-        slid = state[base + SLID]
-        is_lead = state[base + HAS_BRAKE] > 0.0 and n_lead < parameters[LEAD_AXLES]
-        state[base + IS_LEAD] = 1.0 if is_lead else 0.0
-        n_lead += 1.0 if is_lead else 0.0
-        if is_lead and state[base + COUNTS] > 0.0:
-            if n_lead == 1.0:
-                leader_force = mean
-                leader_slid = slid
-            if n_lead == parameters[LEAD_AXLES]:
-                follower_force = mean
-        f0 = state[base + F0]
-        counts = state[base + COUNTS] > 0.0 and f0 > 0.0
-        in_macro = counts and state[base + RANGE] > MICRO
-        in_micro = counts and not in_macro
-        n_macro += 1.0 if in_macro else 0.0
-        macro_force += mean if in_macro else 0.0
-        macro_f0 += f0 if in_macro else 0.0
-        macro_slid += slid if in_macro else 0.0
-        n_micro += 1.0 if in_micro else 0.0
-        micro_force += mean if in_micro else 0.0
+        if state[base + HAS_BRAKE] > 0.0:
+            n_lead += 1.0
+            state[base + IS_LEAD] = 1.0
+            counts = state[base + COUNTS] > 0.0
+            if counts and n_lead == 1.0:
+                leader_force = state[base + MEAN]
+                leader_slid = state[base + SLID]
+            if counts and n_lead == parameters[LEAD_AXLES]:
+                follower_force = state[base + MEAN]
+    state[LEADER_FORCE] = leader_force
+    state[FOLLOWER_FORCE] = follower_force
+    state[LEADER_SLID] = leader_slid
+
+
+def _sum_up(state: FloatArray, n_axles: int) -> None:
+    """Sum up over the axles that count in either range, in the order of the axles."""
+    n_macro = n_micro = macro_force = micro_force = macro_f0 = macro_slid = 0.0
+    for group in range(groups(n_axles)):
+        for i in range(GROUP):
+            base = group_base(group) + i
+            in_macro = state[base + IN_MACRO]
+            in_micro = state[base + IN_MICRO]
+            n_macro += in_macro
+            macro_force += in_macro * state[base + MEAN]
+            macro_f0 += in_macro * state[base + F0]
+            macro_slid += in_macro * state[base + SLID]
+            n_micro += in_micro
+            micro_force += in_micro * state[base + MEAN]
     state[N_MACRO] = n_macro
     state[N_MICRO] = n_micro
     state[MACRO_FORCE] = macro_force
     state[MICRO_FORCE] = micro_force
     state[MACRO_F0] = macro_f0
     state[MACRO_SLID] = macro_slid
-    state[LEADER_FORCE] = leader_force
-    state[FOLLOWER_FORCE] = follower_force
-    state[LEADER_SLID] = leader_slid
 
 
 def has_brake(state: FloatArray, base: int) -> bool:
     """Return whether an axle brakes and its speed is believed: not faulty, released or cut out."""
     is_equipped = state[base + IS_BRAKED] + state[base + IS_MOTORED] > 0.0
-    is_sound: bool = (
-        state[base + IS_FAULTY] == 0.0
-        and state[base + SAFETY_FILL] == 0.0
-        and state[base + SETTLED_CLOCK] <= RELEASED_AFTER
-    )
-    return is_equipped and is_sound
+    is_believed = state[base + IS_FAULTY] == 0.0
+    is_trusted = state[base + SAFETY_FILL] == 0.0
+    is_at_work: bool = state[base + SETTLED_CLOCK] <= RELEASED_AFTER
+    return is_equipped & is_believed & is_trusted & is_at_work

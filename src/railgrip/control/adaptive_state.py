@@ -39,3 +39,5 @@ COUNTS: Final = (
 ) * GROUP  # 1 while its mean and slid distance tell something of its range
 RANGE: Final = (OF_SUPERVISOR + 11) * GROUP  # permitted range of slip
 HAS_BRAKE: Final = (OF_SUPERVISOR + 12) * GROUP  # 1 for one that brakes and is believed
+IN_MACRO: Final = (OF_SUPERVISOR + 13) * GROUP  # 1 for one that counts in macro-slip
+IN_MICRO: Final = (OF_SUPERVISOR + 14) * GROUP  # 1 for one that counts in micro-slip

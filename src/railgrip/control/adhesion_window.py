@@ -5,7 +5,7 @@ from __future__ import annotations
 from railgrip.control.axle_forces import applied_force
 from railgrip.control.contract import FloatArray
 from railgrip.control.conventional_state import SPEED
-from railgrip.control.state_layout import GROUP, group_base, groups, in_group
+from railgrip.control.state_layout import GROUP, group_base, groups
 from railgrip.control.temperature_state import (
     FORCE_BEFORE,
     FRICTION,
@@ -15,6 +15,7 @@ from railgrip.control.temperature_state import (
     N_WINDOW,
     SPEEDS,
 )
+from railgrip.core.formulas.choosing import choose
 
 
 def observe_friction(
@@ -45,17 +46,17 @@ def observe_friction(
     then = ((sample - length) & (N_WINDOW - 1)) * GROUP
     for group in range(groups(n_axles)):
         # one loop for each step: places that depend on the sample keep larger ones from packing
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             base = group_base(group) + i
             state[base + IMPULSE] += state[base + FORCE_BEFORE] * dt
             state[base + FORCE_BEFORE] = applied_force(state, base)
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             base = group_base(group) + i
             state[base + SPEEDS + now] = state[base + SPEED]
             state[base + IMPULSES + now] = state[base + IMPULSE]
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             base = group_base(group) + i
             gained = state[base + MASS] * (state[base + SPEED] - state[base + SPEEDS + then])
             given = state[base + IMPULSE] - state[base + IMPULSES + then]
             observed = (given - gained) * per_time
-            state[base + FRICTION] = observed if length > 0 else state[base + FORCE_BEFORE]
+            state[base + FRICTION] = choose(length > 0, observed, state[base + FORCE_BEFORE])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from railgrip.control.contract import FIRST_PRESSURE, FULL_PRESSURE, FloatArray
 from railgrip.control.conventional_state import DYNAMIC, IS_BRAKED, PRESSURE
 from railgrip.control.temperature_state import FIRST, FORCE_PER_PRESSURE
+from railgrip.core.formulas.choosing import choose
 
 NOMINAL_PRESSURE = 3.0e5
 """Cylinder pressure at full demand where the vehicle does not tell it, Pa."""
@@ -13,8 +14,8 @@ NOMINAL_PRESSURE = 3.0e5
 def pressure_for(state: FloatArray, base: int, force: float) -> float:
     """Return the cylinder pressure that gives a friction brake force at the tread, [Pa]."""
     per_pressure = state[base + FORCE_PER_PRESSURE]
-    over: float = force / (per_pressure if per_pressure > 0.0 else 1.0)
-    return state[base + FIRST] + over if force > 0.0 else 0.0
+    over: float = force / choose(per_pressure > 0.0, per_pressure, 1.0)
+    return choose(force > 0.0, state[base + FIRST] + over, 0.0)
 
 
 def pressures(axle_setup: FloatArray, axle: int) -> tuple[float, float]:
@@ -35,8 +36,8 @@ def applied_force(state: FloatArray, base: int) -> float:
     """Return what brakes and motor apply at the tread now, driving positive, [N]."""
     over = max(state[base + PRESSURE] - state[base + FIRST], 0.0)
     force = state[base + FORCE_PER_PRESSURE] * over
-    works = state[base + IS_BRAKED] > 0.0 and force < 1.0e6
-    friction = force if works else 0.0
+    works = (state[base + IS_BRAKED] > 0.0) & (force < 1.0e6)
+    friction = choose(works, force, 0.0)
     applied: float = -friction - state[base + DYNAMIC]
     return applied
 

@@ -28,7 +28,7 @@ from railgrip.control.dynamic_handover import hand_over
 from railgrip.control.safety_timer import watch_release
 from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, wish
-from railgrip.control.state_layout import axle_base, group_base, groups, in_group
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 from railgrip.control.stepped_filling import step_filling
 from railgrip.core.formulas.choosing import choose
 
@@ -71,7 +71,7 @@ def protect_axles(
     freed = freed_place(state)
     take_command(state, command)
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             axle = group_base(group) + i
             _protect(own, state, axle, reference, deceleration, axle == freed, dt)
     give_command(state, command)

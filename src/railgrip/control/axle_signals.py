@@ -46,39 +46,38 @@ def take_setup(axle_setup: FloatArray, state: FloatArray) -> None:
 
 def take_measured(state: FloatArray, measured: FloatArray) -> None:
     """Put into the state what the sensors say."""
-    _take(state, READING, measured, WHEEL_SPEED)
-    _take(state, PRESSURE, measured, CYLINDER_PRESSURE)
-    _take(state, DYNAMIC, measured, DYNAMIC_FORCE)
+    n_axles = measured.shape[0]
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            axle = group * GROUP + i
+            state[base + READING] = measured[axle, WHEEL_SPEED]
+            state[base + PRESSURE] = measured[axle, CYLINDER_PRESSURE]
+            state[base + DYNAMIC] = measured[axle, DYNAMIC_FORCE]
 
 
 def take_command(state: FloatArray, command: FloatArray) -> None:
     """Put into the state what has been commanded since the last step."""
-    _take(state, VALVE, command, DUMP_VALVE)
-    _take(state, DYNAMIC_PERMITTED, command, DYNAMIC_SHARE)
+    n_axles = command.shape[0]
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            axle = group * GROUP + i
+            state[base + VALVE] = command[axle, DUMP_VALVE]
+            state[base + DYNAMIC_PERMITTED] = command[axle, DYNAMIC_SHARE]
 
 
 def give_command(state: FloatArray, command: FloatArray) -> None:
     """Write the command of every axle out of the state."""
-    _give(state, VALVE, command, DUMP_VALVE)
-    _give(state, DYNAMIC_PERMITTED, command, DYNAMIC_SHARE)
-    _give(state, SANDS, command, SANDING)
-    _give(state, SLIDES, command, IS_SLIDING)
-    _give(state, ALARM_NOW, command, ALARM)
-    for axle in range(command.shape[0]):
-        command[axle, REFERENCE_SPEED] = state[REFERENCE]
-
-
-def _take(state: FloatArray, field: int, table: FloatArray, column: int) -> None:
-    n_axles = table.shape[0]
+    n_axles = command.shape[0]
+    reference = state[REFERENCE]
     for group in range(groups(n_axles)):
         for i in range(in_group(group, n_axles)):
             base = group_base(group) + i
-            state[base + field] = table[group * GROUP + i, column]
-
-
-def _give(state: FloatArray, field: int, table: FloatArray, column: int) -> None:
-    n_axles = table.shape[0]
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            table[group * GROUP + i, column] = state[base + field]
+            axle = group * GROUP + i
+            command[axle, DUMP_VALVE] = state[base + VALVE]
+            command[axle, DYNAMIC_SHARE] = state[base + DYNAMIC_PERMITTED]
+            command[axle, SANDING] = state[base + SANDS]
+            command[axle, IS_SLIDING] = state[base + SLIDES]
+            command[axle, ALARM] = state[base + ALARM_NOW]
+            command[axle, REFERENCE_SPEED] = reference

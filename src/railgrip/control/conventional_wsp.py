@@ -12,6 +12,7 @@ from railgrip.control.axle_protection import protect_axles
 from railgrip.control.axle_signals import take_setup
 from railgrip.control.contract import WHEEL_SPEED, FloatArray
 from railgrip.control.conventional_parameters import (
+    DEAD_TIME,
     DECELERATION_PER_PRESSURE,
     SLIP_LOWER,
     SLIP_SPEED_LOWER_FLOOR,
@@ -23,8 +24,10 @@ from railgrip.control.conventional_state import (
     ADHERED_CLOCK,
     BAND_LOWER,
     BAND_UPPER,
+    DEAD_CLOCK,
     DIAMETER,
     FASTEST_LAG,
+    IS_FAULTY,
     LAST_READING,
     PRESSURE_GAIN,
     REFERENCE,
@@ -37,7 +40,7 @@ from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import axle_base, group_base, groups, in_group, state_size
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, n_places, state_size
 from railgrip.control.train_observer import observe_train
 from railgrip.control.wheel_speed import GREATEST_SPEED
 from railgrip.core.errors import Problem, RailgripError, unknown_name
@@ -65,6 +68,9 @@ def conventional_initial(
         state[base + SPEED] = speed
         state[base + SPEED_LAG] = speed
         state[base + LAST_READING] = speed
+    for place in range(measured.shape[0], n_places(measured.shape[0])):
+        state[axle_base(place) + IS_FAULTY] = 1.0
+        state[axle_base(place) + DEAD_CLOCK] = parameters[DEAD_TIME]
     state[REFERENCE] = fastest
     state[FASTEST_LAG] = fastest
     state[SEEN_SPEED] = fastest
@@ -77,7 +83,7 @@ def set_band(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)
     upper = threshold(parameters[SLIP_UPPER], parameters[SLIP_SPEED_UPPER_FLOOR], reference)
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             state[group_base(group) + i + BAND_LOWER] = lower
             state[group_base(group) + i + BAND_UPPER] = upper
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from railgrip.control.contract import FILL, HOLD, VENT, FloatArray
 from railgrip.control.temperature_parameters import TemperatureOnly
 from railgrip.control.temperature_state import FLIGHT
+from railgrip.core.formulas.choosing import choose
 
 
 def follow_pressure(
@@ -45,8 +46,8 @@ def follow_pressure(
     missing = wanted - pressure - felt
     fills = missing > parameters.pressure_band
     vents = missing < -parameters.pressure_band
-    flight = felt + filling if fills else felt
-    flight = felt - venting if vents else flight
-    state[base + FLIGHT] = flight if is_limited else state[base + FLIGHT]
-    valve = FILL if fills or not is_limited else HOLD
-    return VENT if vents and is_limited else valve
+    flight = choose(fills, felt + filling, felt)
+    flight = choose(vents, felt - venting, flight)
+    state[base + FLIGHT] = choose(is_limited, flight, state[base + FLIGHT])
+    valve = choose(fills | (not is_limited), FILL, HOLD)
+    return choose(vents & is_limited, VENT, valve)

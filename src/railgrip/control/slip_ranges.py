@@ -22,9 +22,10 @@ from railgrip.control.conventional_state import BAND_LOWER, BAND_UPPER, REFERENC
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import axle_base, group_base, groups, in_group
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group
 from railgrip.control.train_observer import observe_train
 from railgrip.core.errors import Problem, RailgripError
+from railgrip.core.formulas.choosing import choose
 
 
 class RangeBands(NamedTuple):
@@ -67,8 +68,8 @@ def observe_in_ranges(
     for group in range(groups(n_axles)):
         for i in range(in_group(group, n_axles)):
             slip_range = state[group_base(group) + i + RANGE]
-            n_micro += 1 if slip_range == MICRO else 0
-            n_middle += 1 if slip_range == MIDDLE else 0
+            n_micro += slip_range == MICRO
+            n_middle += slip_range == MIDDLE
     slip_lower = parameters[SLIP_LOWER]
     if n_micro > 0:
         slip_lower = min(slip_lower, parameters[MICRO_LOWER])
@@ -98,13 +99,14 @@ def protect_in_ranges(
     middle_lower = threshold(parameters[MIDDLE_LOWER], lower_floor, reference)
     middle_upper = threshold(parameters[MIDDLE_UPPER], upper_floor, reference)
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             base = group_base(group) + i
-            slip_range = state[base + RANGE]
-            lower = middle_lower if slip_range == MIDDLE else macro_lower
-            upper = middle_upper if slip_range == MIDDLE else macro_upper
-            state[base + BAND_LOWER] = micro_lower if slip_range == MICRO else lower
-            state[base + BAND_UPPER] = micro_upper if slip_range == MICRO else upper
+            is_middle = state[base + RANGE] == MIDDLE
+            is_micro = state[base + RANGE] == MICRO
+            lower = choose(is_middle, middle_lower, macro_lower)
+            upper = choose(is_middle, middle_upper, macro_upper)
+            state[base + BAND_LOWER] = choose(is_micro, micro_lower, lower)
+            state[base + BAND_UPPER] = choose(is_micro, micro_upper, upper)
     protect_axles(parameters, state, command, dt)
     for axle in range(n_axles):
         command[axle, SLIP_RANGE] = state[axle_base(axle) + RANGE]

@@ -25,8 +25,8 @@ N_TRAIN: Final = 3 * GROUP
 
 # Each axle, in the same order.
 OF_SUPERVISOR: Final = 38
-OWN: Final = 51
-N_AXLE: Final = 137
+OWN: Final = 53
+N_AXLE: Final = 139
 
 
 def axle_base(axle: int) -> int:
@@ -35,7 +35,7 @@ def axle_base(axle: int) -> int:
     Examples
     --------
     >>> axle_base(0), axle_base(2), axle_base(16)
-    (48, 50, 2240)
+    (48, 50, 2272)
     """
     return N_TRAIN + axle // GROUP * (GROUP * N_AXLE) + axle % GROUP
 
@@ -52,6 +52,20 @@ def groups(n_axles: int) -> int:
     (1, 2)
     """
     return max(0, min((n_axles + GROUP - 1) // GROUP, MOST_GROUPS))
+
+
+def n_places(n_axles: int) -> int:
+    """Return how many places the groups have: the axles', then empty ones.
+
+    A pass over a group goes over all of its places, since a loop of fixed length is packed without
+    a remainder. Empty places hold a wheel whose sensor is not believed, so that they count nowhere.
+
+    Examples
+    --------
+    >>> n_places(4), n_places(16)
+    (16, 16)
+    """
+    return GROUP * groups(n_axles)
 
 
 def group_base(group: int) -> int:
@@ -82,6 +96,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(16)
-    2240
+    2272
     """
     return group_base(groups(n_axles))

@@ -40,7 +40,7 @@ from railgrip.control.observed_forces import clear_sums, leave_out, weigh_axle
 from railgrip.control.parameter_sets import joined
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_ranges import N_RANGED
-from railgrip.control.state_layout import axle_base, group_base, groups, in_group, state_size
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, state_size
 from railgrip.control.temperature_controlled import (
     check_temperature,
     follow_believed,
@@ -51,6 +51,7 @@ from railgrip.control.temperature_controlled import (
 from railgrip.control.temperature_parameters import ACCURACY, GREATEST_SLIP, TemperatureOnly
 from railgrip.control.temperature_state import FRICTION, SLIP_LIMIT
 from railgrip.core.errors import Problem, RailgripError
+from railgrip.core.formulas.choosing import choose
 
 
 class SlipLimits(NamedTuple):
@@ -127,10 +128,10 @@ def limit_slips(parameters: FloatArray, state: FloatArray, n_axles: int) -> None
     in_macro, in_middle = parameters[GREATEST_SLIP], parameters[MIDDLE_SLIP]
     in_micro = parameters[MICRO_SLIP]
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             base = group_base(group) + i
-            limit = in_middle if state[base + RANGE] == MIDDLE else in_macro
-            state[base + SLIP_LIMIT] = in_micro if state[base + RANGE] == MICRO else limit
+            limit = choose(state[base + RANGE] == MIDDLE, in_middle, in_macro)
+            state[base + SLIP_LIMIT] = choose(state[base + RANGE] == MICRO, in_micro, limit)
 
 
 def accuracy_needed(parameters: FloatArray, state: FloatArray, n_axles: int) -> float:

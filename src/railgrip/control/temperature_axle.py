@@ -43,7 +43,7 @@ from railgrip.control.pressure_following import follow_pressure
 from railgrip.control.safety_timer import watch_release
 from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, threshold
-from railgrip.control.state_layout import axle_base, group_base, groups, in_group
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 from railgrip.control.temperature_parameters import TemperatureOnly, temperature_of
 from railgrip.control.temperature_state import (
     BRAKE_FORCE,
@@ -73,6 +73,7 @@ from railgrip.control.temperature_targets import (
     signed_slip,
     slip_target,
 )
+from railgrip.core.formulas.choosing import choose
 
 SLIDE_SHARE, SLIDE_FLOOR = 0.01, 0.15
 """A wheel slower than the train by more than this share, or this, m/s, slides."""
@@ -127,18 +128,18 @@ def aim(
     slip = signed_slip(parameters, wheel, now.reference)
     relative = state[base + ACCELERATION] - now.acceleration
     lead = parameters.valve_lead * relative / max(fastest, parameters.least_speed)
-    foreseen = slip if is_continuous else slip + lead
+    foreseen = choose(is_continuous, slip, slip + lead)
     power = admissible_power(
         parameters, state[base + STILL], state[base + MOVING], wheel, now.reference, now.factor
     )
     speed = friction_speed(parameters, power, state[base + FRICTION], state[base + LOAD])
-    sign = 1.0 if demand > 0.0 else -1.0
+    sign = choose(demand > 0.0, 1.0, -1.0)
     wanted = slip_target(parameters, speed, fastest, state[base + SLIP_LIMIT], sign)
-    state[base + SLIP] = slip if is_protected else state[base + SLIP]
-    state[base + POWER_TARGET] = power if is_protected else state[base + POWER_TARGET]
-    state[base + FRICTION_SPEED] = speed if is_protected else state[base + FRICTION_SPEED]
-    state[base + SLIP_TARGET] = wanted if is_protected else state[base + SLIP_TARGET]
-    excess = parameters.excess_gain if is_continuous else parameters.valve_excess_gain
+    state[base + SLIP] = choose(is_protected, slip, state[base + SLIP])
+    state[base + POWER_TARGET] = choose(is_protected, power, state[base + POWER_TARGET])
+    state[base + FRICTION_SPEED] = choose(is_protected, speed, state[base + FRICTION_SPEED])
+    state[base + SLIP_TARGET] = choose(is_protected, wanted, state[base + SLIP_TARGET])
+    excess = choose(is_continuous, parameters.excess_gain, parameters.valve_excess_gain)
     return force_target(
         parameters, foreseen, wanted, state[base + FRICTION], now.acceleration,
         state[base + MASS], whole, excess, demand, fastest,
@@ -187,7 +188,7 @@ def brake_axles(
     now = moment(state, demand)
     freed = freed_place(state)
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             base = group_base(group) + i
             _brake_axle(ordinary, own, now, state, base, base == freed, dt)
     give_command(state, command)
@@ -202,21 +203,20 @@ def _brake_axle(
     """Put the command of one axle into the state: without branches, for packed arithmetic."""
     whole = state[base + BRAKE_FORCE]
     asked = now.demand * whole
-    works = now.reference >= ordinary.inhibit_speed and asked > 0.0
-    is_protected = works and state[base + IS_FAULTY] == 0.0
+    works = (now.reference >= ordinary.inhibit_speed) & (asked > 0.0)
+    is_protected = works & (state[base + IS_FAULTY] == 0.0)
     is_continuous = state[base + CONTINUOUS_BRAKE] > 0.0
     aimed = -aim(parameters, now, state, base, -asked, whole, is_continuous, is_protected)
-    aimed = 0.0 if is_freed else aimed
-    force = aimed if is_protected else asked
+    force = choose(is_protected, choose(is_freed, 0.0, aimed), asked)
     slip_speed = now.reference - state[base + SPEED]
     is_limited = force < LIMITED * asked
-    slides = is_limited and slip_speed > now.lower
-    note_slide(state, base, VENT if slides else FILL, slip_speed, now.lower, dt)
+    wished = choose(is_limited & (slip_speed > now.lower), VENT, FILL)
+    note_slide(state, base, wished, slip_speed, now.lower, dt)
     # an axle that its motor brakes is not released, whatever its cylinder says
     by_motor = state[base + DYNAMIC] > ordinary.dynamic_least_force
-    stood = HOLD if is_limited and not by_motor else FILL
+    stood = choose(is_limited & (not by_motor), HOLD, FILL)
     must_fill = watch_release(ordinary, state, base, stood, dt)
-    force = asked if must_fill else force
+    force = choose(must_fill, asked, force)
     state[base + FORCE_TARGET] = -force
     _apply(parameters, state, base, now.demand, asked, force, dt)
     state[base + SANDS] = request_sand(ordinary, state, base, now.reference, dt)
@@ -231,16 +231,21 @@ def _apply(
     is_limited = force < LIMITED * asked
     effort, power = state[base + EFFORT_OF_MOTOR], state[base + POWER_OF_MOTOR]
     able = min(motor_force(effort, power, state[base + SPEED], parameters.least_speed), asked)
-    share = min(1.0, force / (able if able > 0.0 else 1.0)) if able > 0.0 else 0.0
-    by_motor = is_limited and state[base + IS_MOTORED] > 0.0
-    state[base + DYNAMIC_PERMITTED] = share if by_motor else 1.0
+    share = _share_of(able, force)
+    by_motor = is_limited & (state[base + IS_MOTORED] > 0.0)
+    state[base + DYNAMIC_PERMITTED] = choose(by_motor, share, 1.0)
     dynamic = max(state[base + DYNAMIC], 0.0)
     rest = max(force - dynamic, 0.0)
-    left = asked - dynamic
-    share = min(1.0, rest / (left if left > 0.0 else 1.0)) if left > 0.0 else 0.0
-    has_no_valve = state[base + CONTINUOUS_BRAKE] > 0.0 or state[base + IS_BRAKED] == 0.0
-    state[base + FRICTION_PERMITTED] = share if is_limited and has_no_valve else 1.0
+    share = _share_of(asked - dynamic, rest)
+    has_no_valve = (state[base + CONTINUOUS_BRAKE] > 0.0) | (state[base + IS_BRAKED] == 0.0)
+    state[base + FRICTION_PERMITTED] = choose(is_limited & has_no_valve, share, 1.0)
     state[base + VALVE] = follow_pressure(
-        parameters, state, base, is_limited and not has_no_valve, state[base + PRESSURE],
+        parameters, state, base, is_limited & (not has_no_valve), state[base + PRESSURE],
         pressure_for(state, base, rest), state[base + FULL] * demand, dt,
     )  # fmt: skip
+
+
+def _share_of(whole: float, force: float) -> float:
+    """Return which share of the whole a force is, at most 1; 0 of nothing."""
+    is_some = whole > 0.0
+    return choose(is_some, min(1.0, force / choose(is_some, whole, 1.0)), 0.0)

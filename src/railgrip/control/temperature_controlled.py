@@ -33,7 +33,7 @@ from railgrip.control.driving_reference import follow_trailing_wheels, is_drivin
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.force_reckoning import reckon_with_forces
 from railgrip.control.plain_form import KernelController
-from railgrip.control.state_layout import axle_base, state_size
+from railgrip.control.state_layout import axle_base, n_places, state_size
 from railgrip.control.temperature_axle import brake_axles, drive_axle
 from railgrip.control.temperature_limit import limit_factor
 from railgrip.control.temperature_parameters import (
@@ -103,6 +103,8 @@ def temperature_initial(
         state[base + EFFORT_OF_MOTOR] = axle_setup[axle, BRAKING_EFFORT]
         state[base + POWER_OF_MOTOR] = axle_setup[axle, BRAKING_POWER]
         state[base + SLIP_LIMIT] = parameters[GREATEST_SLIP]
+    for place in range(n_axles, n_places(n_axles)):
+        state[axle_base(place) + LOAD] = 1.0  # what is divided by it stays a number
     take_measured(state, measured)
     for axle in range(n_axles):
         state[axle_base(axle) + FORCE_BEFORE] = applied_force(state, axle_base(axle))

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 
 from railgrip.control.temperature_parameters import LINEAR, TemperatureOnly
+from railgrip.core.formulas.choosing import choose
 
 ABSENT = 1.0e6
 """A rise that no contact reaches, K: a limit that is absent."""
@@ -57,7 +58,7 @@ def admissible_power(
     linear = 2.0 * per_speed * min(rise_wheel * wheel, rise_rail * train)
     conductance = math.sqrt(still + moving * wheel) + math.sqrt(still + moving * train)
     physical = 2.0 * min(rise_wheel, rise_rail) * conductance
-    return float(linear if parameters.heat_law == LINEAR else physical)
+    return choose(parameters.heat_law == LINEAR, linear, physical)
 
 
 def signed_slip(parameters: TemperatureOnly, wheel: float, train: float) -> float:
@@ -155,8 +156,8 @@ def force_target(
     pace = max(fastest, parameters.least_speed) / parameters.gain_speed
     gain = whole_force / parameters.slip_scale * min(pace, 1.0)
     error = wanted - slip
-    gain = gain * excess_gain if abs(slip) > abs(wanted) else gain
+    gain = choose(abs(slip) > abs(wanted), gain * excess_gain, gain)
     force: float = gain * error + mass * (1.0 - min(abs(slip), 1.0)) * train_acceleration + friction
     braking = max(demand, min(force, 0.0))
     driving = min(demand, max(force, 0.0))
-    return braking if demand < 0.0 else driving
+    return choose(demand < 0.0, braking, driving)

@@ -27,7 +27,7 @@ from railgrip.control.deceleration_estimate import estimate_deceleration, learn_
 from railgrip.control.free_axle import free_an_axle
 from railgrip.control.lone_leader import VOTES_AFTER, VOTES_AT_MOST, outvote_leader
 from railgrip.control.reference_speed import advance_reference
-from railgrip.control.state_layout import axle_base, group_base, groups, in_group
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 from railgrip.control.wheel_speed import read_wheel
 from railgrip.core.formulas.choosing import choose
 
@@ -141,7 +141,7 @@ def _read_wheels(
     n_sliding = 0
     n_voters = 0
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             base = group_base(group) + i
             read_wheel(own, state, base, is_braking, is_fast, dt)
             _weigh_effort(own, state, base, reference)
@@ -175,7 +175,7 @@ def _sum_up(state: FloatArray, n_axles: int, n_valid: int) -> Sums:
     effort = 0.0
     acceleration = 0.0
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             base = group_base(group) + i
             fastest = max(fastest, state[base + BELIEVED_SPEED])
             seen = max(seen, state[base + SHOWN_SPEED])
