@@ -200,6 +200,6 @@ def _rail_force(measured: Measurements, applied: Array, rotating: Array) -> Arra
         for axle, base in enumerate(bases):
             state[base + SPEED] = measured.wheel_speed[axle, sample]
             state[base + DYNAMIC] = -applied[axle, sample]
-        observe_friction(state, n_axles, sample, length, step, 1.0 / (max(length, 1) * step))
+        observe_friction(state, n_axles, sample, most, length, step, 1.0 / (max(length, 1) * step))
         force[:, sample] = [state[base + FRICTION] for base in bases]
     return force

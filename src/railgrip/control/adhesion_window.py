@@ -19,7 +19,13 @@ from railgrip.core.formulas.choosing import choose
 
 
 def observe_friction(
-    state: FloatArray, n_axles: int, sample: int, length: int, dt: float, per_time: float
+    state: FloatArray,
+    n_axles: int,
+    sample: int,
+    window: int,
+    length: int,
+    dt: float,
+    per_time: float,
 ) -> None:
     """Update the observed force of every axle in the state.
 
@@ -31,8 +37,8 @@ def observe_friction(
         Number of axles.
     sample : int
         Number of this sample since the controller began.
-    length : int
-        Samples in the window, below `N_WINDOW` and not more than there have been before.
+    window, length : int
+        Samples in the window, below `N_WINDOW`; the same, but not more than there have been before.
     dt, per_time : float
         Period [s]; one over the length of the window, [1/s].
 
@@ -42,8 +48,12 @@ def observe_friction(
     F = (∫F* dt − m_r Δw)/Δt, and μ* M g = |F|. Speeds come one period late, so the forces of one
     period ago are put beside them. It lags by half the window and that period.
     """
-    now = (sample & (N_WINDOW - 1)) * GROUP
-    then = ((sample - length) & (N_WINDOW - 1)) * GROUP
+    # no more samples than the window reaches back to, since each in use wants its room in the cache
+    kept = 1
+    while kept <= window:
+        kept = 2 * kept
+    now = (sample & (kept - 1) & (N_WINDOW - 1)) * GROUP
+    then = ((sample - length) & (kept - 1) & (N_WINDOW - 1)) * GROUP
     for group in range(groups(n_axles)):
         # one loop for each step: places that depend on the sample keep larger ones from packing
         for i in range(GROUP):

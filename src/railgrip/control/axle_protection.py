@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from railgrip.control.axle_signals import give_command, take_command
+from railgrip.control.axle_signals import give_command
 from railgrip.control.contract import FILL, HOLD, VENT, FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters, conventional_of
 from railgrip.control.conventional_state import (
     ACCELERATION,
-    ALARM_NOW,
     BAND_LOWER,
     BAND_UPPER,
     DECELERATION,
-    DIAMETER,
     DYNAMIC,
     DYNAMIC_PERMITTED,
     FREED_AXLE,
@@ -19,8 +17,6 @@ from railgrip.control.conventional_state import (
     IS_FAULTY,
     IS_MOTORED,
     REFERENCE,
-    SAFETY_FILL,
-    SANDS,
     SPEED,
     VALVE,
 )
@@ -31,19 +27,6 @@ from railgrip.control.slip_band import note_slide, wish
 from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 from railgrip.control.stepped_filling import step_filling
 from railgrip.core.formulas.choosing import choose
-
-ALARM_SENSOR = 1.0
-ALARM_SAFETY_TIMER = 2.0
-ALARM_DIAMETER = 3.0
-NOTED_CORRECTION = 0.015
-"""A wheel whose believed diameter was wrong by more than this share is reported."""
-
-
-def axle_alarm(state: FloatArray, base: int) -> float:
-    """Return what is wrong with an axle: 1 sensor, 2 safety timer, 3 wheel diameter; 0 nothing."""
-    alarm = choose(abs(state[base + DIAMETER] - 1.0) > NOTED_CORRECTION, ALARM_DIAMETER, 0.0)
-    alarm = choose(state[base + SAFETY_FILL] > 0.0, ALARM_SAFETY_TIMER, alarm)
-    return choose(state[base + IS_FAULTY] > 0.0, ALARM_SENSOR, alarm)
 
 
 def freed_place(state: FloatArray) -> int:
@@ -69,7 +52,6 @@ def protect_axles(
     reference = state[REFERENCE]
     deceleration = state[DECELERATION]
     freed = freed_place(state)
-    take_command(state, command)
     for group in range(groups(n_axles)):
         for i in range(GROUP):
             axle = group_base(group) + i
@@ -109,5 +91,4 @@ def _protect(
     after = hand_over(parameters, state, base, wished == VENT, force, share, dt)
     state[base + DYNAMIC_PERMITTED] = choose(is_motored, after, share)
     state[base + VALVE] = choose(state[base + IS_BRAKED] > 0.0, valve, FILL)
-    state[base + SANDS] = request_sand(parameters, state, base, reference, dt)
-    state[base + ALARM_NOW] = axle_alarm(state, base)
+    request_sand(parameters, state, base, reference, dt)

@@ -6,6 +6,7 @@ them packed arithmetic.
 
 from __future__ import annotations
 
+from railgrip.control.axle_alarm import axle_alarm
 from railgrip.control.contract import (
     ALARM,
     BRAKED,
@@ -21,7 +22,6 @@ from railgrip.control.contract import (
     FloatArray,
 )
 from railgrip.control.conventional_state import (
-    ALARM_NOW,
     DYNAMIC,
     DYNAMIC_PERMITTED,
     IS_BRAKED,
@@ -29,10 +29,10 @@ from railgrip.control.conventional_state import (
     PRESSURE,
     READING,
     REFERENCE,
-    SANDS,
     SLIDES,
     VALVE,
 )
+from railgrip.control.sanding_request import wants_sand
 from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group
 
 
@@ -57,14 +57,11 @@ def take_measured(state: FloatArray, measured: FloatArray) -> None:
 
 
 def take_command(state: FloatArray, command: FloatArray) -> None:
-    """Put into the state what has been commanded since the last step."""
-    n_axles = command.shape[0]
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            axle = group * GROUP + i
-            state[base + VALVE] = command[axle, DUMP_VALVE]
-            state[base + DYNAMIC_PERMITTED] = command[axle, DYNAMIC_SHARE]
+    """Put into the state what others than `give_command` have commanded."""
+    for axle in range(command.shape[0]):
+        base = axle_base(axle)
+        state[base + VALVE] = command[axle, DUMP_VALVE]
+        state[base + DYNAMIC_PERMITTED] = command[axle, DYNAMIC_SHARE]
 
 
 def give_command(state: FloatArray, command: FloatArray) -> None:
@@ -77,7 +74,7 @@ def give_command(state: FloatArray, command: FloatArray) -> None:
             axle = group * GROUP + i
             command[axle, DUMP_VALVE] = state[base + VALVE]
             command[axle, DYNAMIC_SHARE] = state[base + DYNAMIC_PERMITTED]
-            command[axle, SANDING] = state[base + SANDS]
+            command[axle, SANDING] = wants_sand(state, base)
             command[axle, IS_SLIDING] = state[base + SLIDES]
-            command[axle, ALARM] = state[base + ALARM_NOW]
+            command[axle, ALARM] = axle_alarm(state, base)
             command[axle, REFERENCE_SPEED] = reference

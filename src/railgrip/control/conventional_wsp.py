@@ -26,6 +26,7 @@ from railgrip.control.conventional_state import (
     BAND_UPPER,
     DEAD_CLOCK,
     DIAMETER,
+    DYNAMIC_PERMITTED,
     FASTEST_LAG,
     IS_FAULTY,
     LAST_READING,
@@ -63,6 +64,7 @@ def conventional_initial(
         speed = abs(reading) if -GREATEST_SPEED < reading < GREATEST_SPEED else 0.0
         fastest = max(fastest, speed)
         state[base + DIAMETER] = 1.0
+        state[base + DYNAMIC_PERMITTED] = 1.0
         state[base + ADHERED_CLOCK] = LONG_AGO
         state[base + WITNESS_CLOCK] = LONG_AGO
         state[base + SPEED] = speed

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from railgrip.control.axle_signals import take_command
 from railgrip.control.contract import (
     BOGIE,
     BRAKED,
@@ -82,6 +83,7 @@ def follow_neighbours(
             if runs_free(state, axle_base(axle)) and axle_setup[axle, BRAKED] > 0.0:
                 command[axle, DUMP_VALVE] = VENT
                 command[axle, DYNAMIC_SHARE] = 0.0
+    take_command(state, command)
 
 
 def count_faulty(state: FloatArray, n_axles: int) -> int:

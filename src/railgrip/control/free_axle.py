@@ -16,7 +16,7 @@ from railgrip.control.conventional_parameters import (
     INHIBIT_SPEED,
 )
 from railgrip.control.conventional_state import (
-    BELIEVED_SPEED,
+    COUNTED_SPEED,
     DRIFT,
     FREED_AXLE,
     FREED_TIME,
@@ -77,7 +77,7 @@ def fastest_to_free(state: FloatArray, n_axles: int) -> int:
     candidate = -1
     for axle in range(n_axles):
         base = axle_base(axle)
-        speed = state[base + BELIEVED_SPEED]
+        speed = state[base + COUNTED_SPEED]
         if speed > fastest:
             fastest = speed
             if state[base + IS_BRAKED] + state[base + IS_MOTORED] > 0.0:

@@ -33,4 +33,9 @@ def request_sand(
     slides = (state[base + SLIDES] > 0.0) & (reference > parameters.sand_above)
     clock = choose(slides, sliding, max(0.0, clock - dt))
     state[base + SAND_CLOCK] = clock
-    return choose(clock > 0.0, 1.0, 0.0)
+    return wants_sand(state, base)
+
+
+def wants_sand(state: FloatArray, base: int) -> float:
+    """Return 1 while the axle wants sand, else 0."""
+    return choose(state[base + SAND_CLOCK] > 0.0, 1.0, 0.0)

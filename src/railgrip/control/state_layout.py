@@ -24,9 +24,9 @@ OWN_TRAIN: Final = 27  # then temperature control or traction (`temperature_stat
 N_TRAIN: Final = 3 * GROUP
 
 # Each axle, in the same order.
-OF_SUPERVISOR: Final = 38
-OWN: Final = 53
-N_AXLE: Final = 139
+OF_SUPERVISOR: Final = 36
+OWN: Final = 51
+N_AXLE: Final = 137
 
 
 def axle_base(axle: int) -> int:
@@ -35,7 +35,7 @@ def axle_base(axle: int) -> int:
     Examples
     --------
     >>> axle_base(0), axle_base(2), axle_base(16)
-    (48, 50, 2272)
+    (48, 50, 2240)
     """
     return N_TRAIN + axle // GROUP * (GROUP * N_AXLE) + axle % GROUP
 
@@ -96,6 +96,6 @@ def state_size(n_axles: int) -> int:
     Examples
     --------
     >>> state_size(16)
-    2272
+    2240
     """
     return group_base(groups(n_axles))

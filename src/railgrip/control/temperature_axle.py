@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from railgrip.control.axle_alarm import axle_alarm
 from railgrip.control.axle_forces import motor_force, pressure_for
-from railgrip.control.axle_protection import axle_alarm, freed_place
+from railgrip.control.axle_protection import freed_place
 from railgrip.control.axle_signals import give_command
 from railgrip.control.contract import (
     ALARM,
@@ -26,7 +27,6 @@ from railgrip.control.contract import (
 from railgrip.control.conventional_parameters import ConventionalParameters, conventional_of
 from railgrip.control.conventional_state import (
     ACCELERATION,
-    ALARM_NOW,
     DYNAMIC,
     DYNAMIC_PERMITTED,
     IS_BRAKED,
@@ -34,7 +34,6 @@ from railgrip.control.conventional_state import (
     IS_MOTORED,
     PRESSURE,
     REFERENCE,
-    SANDS,
     SLIDES,
     SPEED,
     VALVE,
@@ -219,8 +218,7 @@ def _brake_axle(
     force = choose(must_fill, asked, force)
     state[base + FORCE_TARGET] = -force
     _apply(parameters, state, base, now.demand, asked, force, dt)
-    state[base + SANDS] = request_sand(ordinary, state, base, now.reference, dt)
-    state[base + ALARM_NOW] = axle_alarm(state, base)
+    request_sand(ordinary, state, base, now.reference, dt)
 
 
 def _apply(

@@ -7,8 +7,10 @@ ordinary protection works, unchanged.
 from __future__ import annotations
 
 from railgrip.control.adhesion_kalman import observe_by_kalman
+from railgrip.control.axle_alarm import ALARM_SENSOR
 from railgrip.control.axle_forces import force_per_pressure, motor_force, pressures
-from railgrip.control.axle_protection import ALARM_SENSOR, protect_axles
+from railgrip.control.axle_protection import protect_axles
+from railgrip.control.axle_signals import take_command
 from railgrip.control.contract import (
     ALARM,
     AXLE_LOAD,
@@ -192,6 +194,7 @@ def brake_conventionally(
     learn_diameters(parameters, state, measured, dt)
     n_axles = measured.shape[0]
     set_band(parameters, state, n_axles)
+    take_command(state, command)
     protect_axles(parameters, state, command, dt)
     for axle in range(n_axles):
         base = axle_base(axle)

@@ -9,8 +9,8 @@ from railgrip.control.contract import BRAKE_DEMAND, FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters, conventional_of
 from railgrip.control.conventional_state import (
     ACCELERATION,
-    BELIEVED_ACCELERATION,
-    BELIEVED_SPEED,
+    COUNTED_ACCELERATION,
+    COUNTED_SPEED,
     DYNAMIC,
     EFFORT,
     IS_FAULTY,
@@ -148,7 +148,7 @@ def _read_wheels(
             _settle(own, state, base, dt)
             _stay_near(state, base, reference, near, dt)
             is_valid = state[base + IS_FAULTY] == 0.0
-            _note_believed(state, base, is_valid)
+            _count_in(state, base, is_valid)
             n_valid += is_valid
             is_witness = state[base + WITNESS_CLOCK] > WITNESS_AFTER
             slides = state[base + SLIDES] > 0.0
@@ -177,10 +177,10 @@ def _sum_up(state: FloatArray, n_axles: int, n_valid: int) -> Sums:
     for group in range(groups(n_axles)):
         for i in range(GROUP):
             base = group_base(group) + i
-            fastest = max(fastest, state[base + BELIEVED_SPEED])
+            fastest = max(fastest, state[base + COUNTED_SPEED])
             seen = max(seen, state[base + SHOWN_SPEED])
             effort += state[base + EFFORT]
-            acceleration += state[base + BELIEVED_ACCELERATION]
+            acceleration += state[base + COUNTED_ACCELERATION]
     if seen < max(FREE_SHARE * fastest, LOCKED_SHARE * state[REFERENCE]):
         seen = -1.0
     if n_valid > 0:
@@ -192,7 +192,7 @@ def _sum_up(state: FloatArray, n_axles: int, n_valid: int) -> Sums:
 def _leader(state: FloatArray, n_axles: int, fastest: float) -> int:
     """Return the first axle that is as fast as the fastest."""
     for axle in range(n_axles):
-        if state[axle_base(axle) + BELIEVED_SPEED] == fastest:
+        if state[axle_base(axle) + COUNTED_SPEED] == fastest:
             return axle
     return -1
 
@@ -203,10 +203,10 @@ def braking_pressure(parameters: ConventionalParameters, state: FloatArray, base
     return choose((pressure > 0.0) & (pressure < 1.0e7), pressure, 0.0)
 
 
-def _note_believed(state: FloatArray, base: int, is_valid: bool) -> None:
+def _count_in(state: FloatArray, base: int, is_valid: bool) -> None:
     """Put into the sums to come what a believed sensor says, and nothing for another."""
-    state[base + BELIEVED_SPEED] = choose(is_valid, state[base + SPEED], 0.0)
-    state[base + BELIEVED_ACCELERATION] = choose(is_valid, state[base + ACCELERATION], 0.0)
+    state[base + COUNTED_SPEED] = choose(is_valid, state[base + SPEED], 0.0)
+    state[base + COUNTED_ACCELERATION] = choose(is_valid, state[base + ACCELERATION], 0.0)
     state[base + EFFORT] = choose(is_valid, state[base + EFFORT], 0.0)
     state[base + SHOWN_SPEED] = choose(is_valid, state[base + SHOWN_SPEED], -1.0)
 

@@ -127,7 +127,7 @@ def observe(state: np.ndarray, sample: int, speed: float) -> None:
     length = min(10, sample)
     state[BASE + SPEED] = speed
     state[BASE + DYNAMIC] = 8e3
-    observe_friction(state, 1, sample, length, 0.01, 100.0 / max(length, 1))
+    observe_friction(state, 1, sample, 10, length, 0.01, 100.0 / max(length, 1))
 
 
 def test_the_window_finds_the_force_of_the_rail() -> None:
