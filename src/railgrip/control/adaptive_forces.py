@@ -28,7 +28,6 @@ from railgrip.control.adaptive_state import (
     FACTOR,
     FOLLOWER_FORCE,
     FORCE,
-    HAS_BRAKE,
     IN_MACRO,
     IN_MICRO,
     IS_ARMED,
@@ -45,6 +44,7 @@ from railgrip.control.adaptive_state import (
     RANGE,
     RANGE_CLOCK,
     SLID,
+    TELLS,
 )
 from railgrip.control.axle_protection import freed_place
 from railgrip.control.contract import MICRO, FloatArray
@@ -142,8 +142,8 @@ def weigh_axles(parameters: FloatArray, state: FloatArray, n_axles: int, dt: flo
         for i in range(GROUP):
             base = group_base(group) + i
             _weigh(own, same, state, base, reference, deceleration, base == freed, dt)
-    _find_leads(parameters, state, n_axles)
-    _sum_up(state, n_axles)
+    find_leads(parameters, state, n_axles)
+    sum_up(state, n_axles)
 
 
 def _weigh(
@@ -176,30 +176,37 @@ def _weigh(
     slid = choose(is_new, 0.0, state[base + SLID] + abs(slip_speed) * dt)
     slid = choose(works, slid, state[base + SLID])
     f0 = choose(works & breaks, max(force, 0.0), state[base + F0])
-    tells = works & (not is_new)
-    is_micro = state[base + RANGE] <= MICRO
-    state[base + HAS_BRAKE] = choose(brakes, 1.0, 0.0)
-    state[base + IS_LEAD] = 0.0
     state[base + FORCE] = choose(works, force, state[base + FORCE])
     state[base + F0] = f0
     state[base + IS_ARMED] = choose(works, armed, is_armed)
     state[base + RANGE_CLOCK] = clock
     state[base + MEAN] = mean
     state[base + SLID] = slid
-    state[base + COUNTS] = choose(tells, 1.0, 0.0)
-    state[base + IN_MACRO] = choose(tells & (f0 > 0.0) & (not is_micro), 1.0, 0.0)
-    state[base + IN_MICRO] = choose(tells & (f0 > 0.0) & is_micro, 1.0, 0.0)
+    count_in(state, base, works, is_new)
+    state[base + TELLS] = choose(brakes, 1.0, 0.0)
 
 
-def _find_leads(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
-    """Note the first axles that brake as the leading ones, and what first and last of them say."""
+def count_in(state: FloatArray, base: int, works: bool, is_new: bool) -> None:
+    """Note whether an axle tells anything, and in which range it counts; none leads as yet."""
+    counts = works & (not is_new)
+    is_broken_away = state[base + F0] > 0.0
+    is_micro = state[base + RANGE] <= MICRO
+    state[base + TELLS] = choose(works, 1.0, 0.0)
+    state[base + IS_LEAD] = 0.0
+    state[base + COUNTS] = choose(counts, 1.0, 0.0)
+    state[base + IN_MACRO] = choose(counts & is_broken_away & (not is_micro), 1.0, 0.0)
+    state[base + IN_MICRO] = choose(counts & is_broken_away & is_micro, 1.0, 0.0)
+
+
+def find_leads(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
+    """Let the first axles that tell anything lead, and note what first and last of them say."""
     n_lead = 0.0
     leader_force = follower_force = leader_slid = 0.0
     for axle in range(n_axles):
         if n_lead >= parameters[LEAD_AXLES]:
             break
         base = axle_base(axle)
-        if state[base + HAS_BRAKE] > 0.0:
+        if state[base + TELLS] > 0.0:
             n_lead += 1.0
             state[base + IS_LEAD] = 1.0
             counts = state[base + COUNTS] > 0.0
@@ -213,7 +220,7 @@ def _find_leads(parameters: FloatArray, state: FloatArray, n_axles: int) -> None
     state[LEADER_SLID] = leader_slid
 
 
-def _sum_up(state: FloatArray, n_axles: int) -> None:
+def sum_up(state: FloatArray, n_axles: int) -> None:
     """Sum up over the axles that count in either range, in the order of the axles."""
     n_macro = n_micro = macro_force = micro_force = macro_f0 = macro_slid = 0.0
     for group in range(groups(n_axles)):

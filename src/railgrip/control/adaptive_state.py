@@ -38,6 +38,6 @@ COUNTS: Final = (
     OF_SUPERVISOR + 10
 ) * GROUP  # 1 while its mean and slid distance tell something of its range
 RANGE: Final = (OF_SUPERVISOR + 11) * GROUP  # permitted range of slip
-HAS_BRAKE: Final = (OF_SUPERVISOR + 12) * GROUP  # 1 for one that brakes and is believed
+TELLS: Final = (OF_SUPERVISOR + 12) * GROUP  # 1 for one that brakes or pulls, and is believed
 IN_MACRO: Final = (OF_SUPERVISOR + 13) * GROUP  # 1 for one that counts in macro-slip
 IN_MICRO: Final = (OF_SUPERVISOR + 14) * GROUP  # 1 for one that counts in micro-slip

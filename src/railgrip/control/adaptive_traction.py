@@ -18,7 +18,7 @@ from railgrip.control.adaptive_supervisor import supervise
 from railgrip.control.contract import MACRO, MICRO, SLIP_RANGE, WSP_STATE, FloatArray
 from railgrip.control.conventional_state import ACCELERATION, DECELERATION, REFERENCE, SPEED
 from railgrip.control.driving_reference import is_driving
-from railgrip.control.observed_forces import clear_sums, leave_out, weigh_axle
+from railgrip.control.observed_forces import add_up, leave_out, observing, weigh_axle
 from railgrip.control.peak_seeking_traction import check_search, hold_at_peak, peak_seeking_initial
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
@@ -77,24 +77,19 @@ def look_at_forces(
     dt : float
         Time since the last look, [s].
     """
-    clear_sums(state)
-    n_lead = 0.0
+    same = observing(supervision, state[REFERENCE], dt)
     for axle in range(n_axles):
         base = axle_base(axle)
         is_free = state[LOOKING] == axle + 1.0
-        if is_free or not acts_on(axle_setup, state, axle):
-            leave_out(state, axle)
-            continue
-        force = state[base + FORCE]
+        works = acts_on(axle_setup, state, axle) and not is_free
         spin = state[base + SPEED] - state[REFERENCE]
-        if state[base + SHARE] >= WHOLE and spin < ADHERING:
+        if works and state[base + SHARE] >= WHOLE and spin < ADHERING:
             # the effort bounds its force, not the rail: what it once had says nothing of this rail
             state[base + F0] = 0.0
             state[base + IS_ARMED] = 1.0
         growth = state[base + ACCELERATION] + state[DECELERATION]
-        n_lead = weigh_axle(
-            supervision, state, axle, n_lead, force, spin, growth, state[REFERENCE], dt
-        )
+        weigh_axle(same, state, base, works, state[base + FORCE], spin, growth, dt)
+    add_up(supervision, state, n_axles)
 
 
 def spin_deep(

@@ -22,7 +22,7 @@ from railgrip.control.conventional_state import BAND_LOWER, BAND_UPPER, REFERENC
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group
+from railgrip.control.state_layout import GROUP, group_base, groups, in_group
 from railgrip.control.train_observer import observe_train
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.formulas.choosing import choose
@@ -108,9 +108,17 @@ def protect_in_ranges(
             state[base + BAND_LOWER] = choose(is_micro, micro_lower, lower)
             state[base + BAND_UPPER] = choose(is_micro, micro_upper, upper)
     protect_axles(parameters, state, command, dt)
-    for axle in range(n_axles):
-        command[axle, SLIP_RANGE] = state[axle_base(axle) + RANGE]
+    give_ranges(state, command)
     follow_neighbours(axle_setup, state, measured, command)
+
+
+def give_ranges(state: FloatArray, command: FloatArray) -> None:
+    """Write the permitted range of every axle out of the state."""
+    n_axles = command.shape[0]
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            command[group * GROUP + i, SLIP_RANGE] = state[base + RANGE]
 
 
 def check_bands(parameters: ConventionalParameters, lower: RangeBands) -> None:

@@ -16,12 +16,10 @@ from railgrip.control.adaptive_round import begin_supervision, time_to_look
 from railgrip.control.adaptive_state import FACTOR as SIGNAL_FACTOR
 from railgrip.control.adaptive_state import RANGE, STATE
 from railgrip.control.adaptive_supervisor import supervise
+from railgrip.control.axle_protection import freed_place
 from railgrip.control.contract import (
-    BRAKED,
     MICRO,
     MIDDLE,
-    MOTORED,
-    SLIP_RANGE,
     WSP_STATE,
     FloatArray,
 )
@@ -29,18 +27,19 @@ from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.conventional_state import (
     ACCELERATION,
     DECELERATION,
-    FREED_AXLE,
+    IS_BRAKED,
     IS_FAULTY,
+    IS_MOTORED,
     REFERENCE,
     SAFETY_FILL,
     SPEED,
 )
 from railgrip.control.driving_reference import is_driving
-from railgrip.control.observed_forces import clear_sums, leave_out, weigh_axle
+from railgrip.control.observed_forces import add_up, observing, weigh_axle
 from railgrip.control.parameter_sets import joined
 from railgrip.control.plain_form import KernelController
-from railgrip.control.slip_ranges import N_RANGED
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, state_size
+from railgrip.control.slip_ranges import N_RANGED, give_ranges
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group, state_size
 from railgrip.control.temperature_controlled import (
     check_temperature,
     follow_believed,
@@ -101,26 +100,24 @@ def temperature_adaptive_initial(
 
 
 def weigh_forces(
-    supervision: FloatArray, axle_setup: FloatArray, state: FloatArray, n_axles: int,
-    sign: float, dt: float,
-) -> None:  # fmt: skip
+    supervision: FloatArray, state: FloatArray, n_axles: int, sign: float, dt: float
+) -> None:
     """Weigh what every axle reaches by the force of the rail, driving (sign 1) or braking (-1)."""
-    clear_sums(state)
-    n_lead = 0.0
-    for axle in range(n_axles):
-        base = axle_base(axle)
-        works = axle_setup[axle, MOTORED] + (axle_setup[axle, BRAKED] if sign < 0.0 else 0.0)
-        is_sound = state[base + IS_FAULTY] == 0.0 and state[base + SAFETY_FILL] == 0.0
-        if works == 0.0 or not is_sound or state[FREED_AXLE] == axle + 1.0:
-            leave_out(state, axle)
-            continue
-        force = sign * state[base + FRICTION]
-        slip_speed = sign * (state[base + SPEED] - state[REFERENCE])
-        growth = sign * (state[base + ACCELERATION] + state[DECELERATION])
-        n_lead = weigh_axle(
-            supervision, state, axle, n_lead, force, slip_speed, growth,
-            state[REFERENCE], dt,
-        )  # fmt: skip
+    same = observing(supervision, state[REFERENCE], dt)
+    reference, deceleration = state[REFERENCE], state[DECELERATION]
+    freed = freed_place(state)
+    is_braking = sign < 0.0
+    for group in range(groups(n_axles)):
+        for i in range(GROUP):
+            base = group_base(group) + i
+            can_brake = is_braking & (state[base + IS_BRAKED] > 0.0)
+            is_sound = (state[base + IS_FAULTY] == 0.0) & (state[base + SAFETY_FILL] == 0.0)
+            works = ((state[base + IS_MOTORED] > 0.0) | can_brake) & is_sound & (base != freed)
+            force = sign * state[base + FRICTION]
+            slip_speed = sign * (state[base + SPEED] - reference)
+            growth = sign * (state[base + ACCELERATION] + deceleration)
+            weigh_axle(same, state, base, works, force, slip_speed, growth, dt)
+    add_up(supervision, state, n_axles)
 
 
 def limit_slips(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
@@ -136,11 +133,13 @@ def limit_slips(parameters: FloatArray, state: FloatArray, n_axles: int) -> None
 
 def accuracy_needed(parameters: FloatArray, state: FloatArray, n_axles: int) -> float:
     """Return how exactly the train speed must be known, as a slip."""
+    n_micro = 0
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            n_micro += state[base + RANGE] == MICRO
     accuracy = parameters[ACCURACY]
-    for axle in range(n_axles):
-        if state[axle_base(axle) + RANGE] == MICRO:
-            accuracy = min(accuracy, parameters[MICRO_ACCURACY])
-    return float(accuracy)
+    return min(accuracy, parameters[MICRO_ACCURACY]) if n_micro > 0 else accuracy
 
 
 def temperature_adaptive_kernel(
@@ -159,13 +158,12 @@ def temperature_adaptive_kernel(
     look = time_to_look(supervision, state, dt)
     if look > 0.0:
         sign = 1.0 if is_driving(measured) else -1.0
-        weigh_forces(supervision, axle_setup, state, n_axles, sign, look)
+        weigh_forces(supervision, state, n_axles, sign, look)
         command[0, WSP_STATE] = state[STATE]
         supervise(supervision, state, n_axles, look)
     limit_slips(parameters, state, n_axles)
     lead_axles(parameters, axle_setup, state, measured, command, dt)
-    for axle in range(n_axles):
-        command[axle, SLIP_RANGE] = state[axle_base(axle) + RANGE]
+    give_ranges(state, command)
     follow_believed(axle_setup, state, measured, command)
 
 

@@ -42,7 +42,7 @@ from railgrip.control.pressure_following import follow_pressure
 from railgrip.control.safety_timer import watch_release
 from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, threshold
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group
 from railgrip.control.temperature_parameters import TemperatureOnly, temperature_of
 from railgrip.control.temperature_state import (
     BRAKE_FORCE,
@@ -191,8 +191,10 @@ def brake_axles(
             base = group_base(group) + i
             _brake_axle(ordinary, own, now, state, base, base == freed, dt)
     give_command(state, command)
-    for axle in range(n_axles):
-        command[axle, FRICTION_SHARE] = state[axle_base(axle) + FRICTION_PERMITTED]
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            command[group * GROUP + i, FRICTION_SHARE] = state[base + FRICTION_PERMITTED]
 
 
 def _brake_axle(
