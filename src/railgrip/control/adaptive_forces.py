@@ -17,9 +17,11 @@ from railgrip.control.adaptive_parameters import (
     BREAKAWAY_SLIP,
     F0_FILTER,
     LEAD_AXLES,
+    LOOKOUT,
     MEAN_TIME,
     RAIL_FORCE,
     RESTART_AFTER,
+    RULE,
     SIGNAL,
 )
 from railgrip.control.adaptive_state import (
@@ -143,7 +145,7 @@ def weigh_axles(parameters: FloatArray, state: FloatArray, n_axles: int, dt: flo
             base = group_base(group) + i
             _weigh(own, same, state, base, reference, deceleration, base == freed, dt)
     find_leads(parameters, state, n_axles)
-    sum_up(state, n_axles)
+    sum_up(parameters, state, n_axles)
 
 
 def _weigh(
@@ -220,22 +222,32 @@ def find_leads(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     state[LEADER_SLID] = leader_slid
 
 
-def sum_up(state: FloatArray, n_axles: int) -> None:
+def sum_up(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
+    """Count the axles in either range; sum up what they reach, where the rule asks for it."""
+    n_macro = 0
+    n_micro = 0
+    for group in range(groups(n_axles)):
+        for i in range(GROUP):
+            base = group_base(group) + i
+            n_macro += state[base + IN_MACRO] > 0.0
+            n_micro += state[base + IN_MICRO] > 0.0
+    state[N_MACRO] = n_macro
+    state[N_MICRO] = n_micro
+    if parameters[RULE] != LOOKOUT:
+        _sum_up_forces(state, n_axles)
+
+
+def _sum_up_forces(state: FloatArray, n_axles: int) -> None:
     """Sum up over the axles that count in either range, in the order of the axles."""
-    n_macro = n_micro = macro_force = micro_force = macro_f0 = macro_slid = 0.0
+    macro_force = micro_force = macro_f0 = macro_slid = 0.0
     for group in range(groups(n_axles)):
         for i in range(GROUP):
             base = group_base(group) + i
             in_macro = state[base + IN_MACRO]
-            in_micro = state[base + IN_MICRO]
-            n_macro += in_macro
             macro_force += in_macro * state[base + MEAN]
             macro_f0 += in_macro * state[base + F0]
             macro_slid += in_macro * state[base + SLID]
-            n_micro += in_micro
-            micro_force += in_micro * state[base + MEAN]
-    state[N_MACRO] = n_macro
-    state[N_MICRO] = n_micro
+            micro_force += state[base + IN_MICRO] * state[base + MEAN]
     state[MACRO_FORCE] = macro_force
     state[MICRO_FORCE] = micro_force
     state[MACRO_F0] = macro_f0

@@ -13,6 +13,7 @@ TEST_NUMBER: Final = SYSTEM + 2  # tests begun so far
 HAS_PASSED: Final = SYSTEM + 3  # 1 when the last test found sliding useful (310)
 N_MACRO: Final = SYSTEM + 4  # axles in macro-slip that count: with an F0, braked, settled
 N_MICRO: Final = SYSTEM + 5  # the same in micro-slip
+# These four only where the rule asks for them:
 MACRO_FORCE: Final = SYSTEM + 6  # sum of FB over those in macro-slip (Fm_mac)
 MICRO_FORCE: Final = SYSTEM + 7  # sum of FB over those in micro-slip (Fm_mic)
 MACRO_F0: Final = SYSTEM + 8  # sum of F0 over those in macro-slip

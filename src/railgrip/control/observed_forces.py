@@ -140,4 +140,4 @@ def weigh_axle(
 def add_up(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     """Find the leading axles and sum up over both ranges, when all have been weighed."""
     find_leads(parameters, state, n_axles)
-    sum_up(state, n_axles)
+    sum_up(parameters, state, n_axles)

@@ -66,7 +66,7 @@ def observe_in_ranges(
     n_micro = 0
     n_middle = 0
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
+        for i in range(GROUP):
             slip_range = state[group_base(group) + i + RANGE]
             n_micro += slip_range == MICRO
             n_middle += slip_range == MIDDLE
