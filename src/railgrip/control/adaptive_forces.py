@@ -68,7 +68,7 @@ from railgrip.control.conventional_state import (
     SPEED,
 )
 from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group
 from railgrip.control.train_observer import braking_pressure
 from railgrip.core.formulas.choosing import choose
 
@@ -227,7 +227,7 @@ def sum_up(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     n_macro = 0
     n_micro = 0
     for group in range(groups(n_axles)):
-        for i in range(GROUP):
+        for i in range(in_group(group, n_axles)):
             base = group_base(group) + i
             n_macro += state[base + IN_MACRO] > 0.0
             n_micro += state[base + IN_MICRO] > 0.0

@@ -68,13 +68,25 @@ def give_command(state: FloatArray, command: FloatArray) -> None:
     """Write the command of every axle out of the state."""
     n_axles = command.shape[0]
     reference = state[REFERENCE]
+    give(state, VALVE, command, DUMP_VALVE)
+    give(state, DYNAMIC_PERMITTED, command, DYNAMIC_SHARE)
+    give(state, SLIDES, command, IS_SLIDING)
     for group in range(groups(n_axles)):
         for i in range(in_group(group, n_axles)):
             base = group_base(group) + i
-            axle = group * GROUP + i
-            command[axle, DUMP_VALVE] = state[base + VALVE]
-            command[axle, DYNAMIC_SHARE] = state[base + DYNAMIC_PERMITTED]
-            command[axle, SANDING] = wants_sand(state, base)
-            command[axle, IS_SLIDING] = state[base + SLIDES]
-            command[axle, ALARM] = axle_alarm(state, base)
-            command[axle, REFERENCE_SPEED] = reference
+            command[group * GROUP + i, SANDING] = wants_sand(state, base)
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            command[group * GROUP + i, ALARM] = axle_alarm(state, base)
+    for axle in range(n_axles):
+        command[axle, REFERENCE_SPEED] = reference
+
+
+def give(state: FloatArray, field: int, command: FloatArray, column: int) -> None:
+    """Write one column of the command out of the state."""
+    n_axles = command.shape[0]
+    for group in range(groups(n_axles)):
+        for i in range(in_group(group, n_axles)):
+            base = group_base(group) + i
+            command[group * GROUP + i, column] = state[base + field]

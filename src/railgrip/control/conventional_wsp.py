@@ -41,7 +41,14 @@ from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, n_places, state_size
+from railgrip.control.state_layout import (
+    axle_base,
+    group_base,
+    groups,
+    in_group,
+    n_places,
+    state_size,
+)
 from railgrip.control.train_observer import observe_train
 from railgrip.control.wheel_speed import GREATEST_SPEED
 from railgrip.core.errors import Problem, RailgripError, unknown_name
@@ -85,7 +92,7 @@ def set_band(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)
     upper = threshold(parameters[SLIP_UPPER], parameters[SLIP_SPEED_UPPER_FLOOR], reference)
     for group in range(groups(n_axles)):
-        for i in range(GROUP):
+        for i in range(in_group(group, n_axles)):
             state[group_base(group) + i + BAND_LOWER] = lower
             state[group_base(group) + i + BAND_UPPER] = upper
 

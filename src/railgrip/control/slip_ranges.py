@@ -66,7 +66,7 @@ def observe_in_ranges(
     n_micro = 0
     n_middle = 0
     for group in range(groups(n_axles)):
-        for i in range(GROUP):
+        for i in range(in_group(group, n_axles)):
             slip_range = state[group_base(group) + i + RANGE]
             n_micro += slip_range == MICRO
             n_middle += slip_range == MIDDLE
@@ -99,7 +99,7 @@ def protect_in_ranges(
     middle_lower = threshold(parameters[MIDDLE_LOWER], lower_floor, reference)
     middle_upper = threshold(parameters[MIDDLE_UPPER], upper_floor, reference)
     for group in range(groups(n_axles)):
-        for i in range(GROUP):
+        for i in range(in_group(group, n_axles)):
             base = group_base(group) + i
             is_middle = state[base + RANGE] == MIDDLE
             is_micro = state[base + RANGE] == MICRO

@@ -39,7 +39,7 @@ from railgrip.control.observed_forces import add_up, observing, weigh_axle
 from railgrip.control.parameter_sets import joined
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_ranges import N_RANGED, give_ranges
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, state_size
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group, state_size
 from railgrip.control.temperature_controlled import (
     check_temperature,
     follow_believed,
@@ -125,7 +125,7 @@ def limit_slips(parameters: FloatArray, state: FloatArray, n_axles: int) -> None
     in_macro, in_middle = parameters[GREATEST_SLIP], parameters[MIDDLE_SLIP]
     in_micro = parameters[MICRO_SLIP]
     for group in range(groups(n_axles)):
-        for i in range(GROUP):
+        for i in range(in_group(group, n_axles)):
             base = group_base(group) + i
             limit = choose(state[base + RANGE] == MIDDLE, in_middle, in_macro)
             state[base + SLIP_LIMIT] = choose(state[base + RANGE] == MICRO, in_micro, limit)
@@ -135,7 +135,7 @@ def accuracy_needed(parameters: FloatArray, state: FloatArray, n_axles: int) -> 
     """Return how exactly the train speed must be known, as a slip."""
     n_micro = 0
     for group in range(groups(n_axles)):
-        for i in range(GROUP):
+        for i in range(in_group(group, n_axles)):
             base = group_base(group) + i
             n_micro += state[base + RANGE] == MICRO
     accuracy = parameters[ACCURACY]
