@@ -20,7 +20,8 @@ from _common import best_of, options, report
 from llvmlite import ir
 
 import railgrip as rg
-from railgrip.compiler import entry, inlined
+from railgrip.compiler import compiled as as_function
+from railgrip.compiler import entry
 from railgrip.control import contract as ctl
 from railgrip.control.plain_form import KernelController
 from railgrip.core import registry
@@ -106,7 +107,7 @@ def _do_nothing(parameters, setup, state, measured, command, dt):  # type: ignor
 
 def watched(controller: Any, function: Any) -> Any:
     """Return a controller with a function for its step, which notes in `SPENT` how long it took."""
-    kernel = inlined(function)
+    kernel = as_function(function)
 
     def step(parameters, setup, state, measured, command, dt):  # type: ignore[no-untyped-def]
         begin = _clock()

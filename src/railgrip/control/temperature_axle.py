@@ -187,9 +187,16 @@ def brake_axles(
     now = moment(state, demand)
     freed = freed_place(state)
     for group in range(groups(n_axles)):
+        # three short passes: of a long one the processor holds only one step at a time
         for i in range(GROUP):
             base = group_base(group) + i
-            _brake_axle(ordinary, own, now, state, base, base == freed, dt)
+            _aim_at(ordinary, own, now, state, base, base == freed)
+        for i in range(GROUP):
+            base = group_base(group) + i
+            _watch(ordinary, now, state, base, dt)
+        for i in range(GROUP):
+            base = group_base(group) + i
+            _apply(own, now, state, base, dt)
     give_command(state, command)
     for group in range(groups(n_axles)):
         for i in range(in_group(group, n_axles)):
@@ -197,18 +204,26 @@ def brake_axles(
             command[group * GROUP + i, FRICTION_SHARE] = state[base + FRICTION_PERMITTED]
 
 
-def _brake_axle(
+def _aim_at(
     ordinary: ConventionalParameters, parameters: TemperatureOnly, now: Moment, state: FloatArray,
-    base: int, is_freed: bool, dt: float,
+    base: int, is_freed: bool,
 ) -> None:  # fmt: skip
-    """Put the command of one axle into the state: without branches, for packed arithmetic."""
+    """Put into the state the force that one axle is led with, as the temperature allows."""
     whole = state[base + BRAKE_FORCE]
     asked = now.demand * whole
     works = (now.reference >= ordinary.inhibit_speed) & (asked > 0.0)
     is_protected = works & (state[base + IS_FAULTY] == 0.0)
     is_continuous = state[base + CONTINUOUS_BRAKE] > 0.0
-    aimed = -aim(parameters, now, state, base, -asked, whole, is_continuous, is_protected)
-    force = choose(is_protected, choose(is_freed, 0.0, aimed), asked)
+    aimed = aim(parameters, now, state, base, -asked, whole, is_continuous, is_protected)
+    state[base + FORCE_TARGET] = choose(is_protected, choose(is_freed, 0.0, aimed), -asked)
+
+
+def _watch(
+    ordinary: ConventionalParameters, now: Moment, state: FloatArray, base: int, dt: float
+) -> None:
+    """Note whether one axle slides and asks for sand; one released for too long gets all force."""
+    asked = now.demand * state[base + BRAKE_FORCE]
+    force = -state[base + FORCE_TARGET]
     slip_speed = now.reference - state[base + SPEED]
     is_limited = force < LIMITED * asked
     wished = choose(is_limited & (slip_speed > now.lower), VENT, FILL)
@@ -217,17 +232,16 @@ def _brake_axle(
     by_motor = state[base + DYNAMIC] > ordinary.dynamic_least_force
     stood = choose(is_limited & (not by_motor), HOLD, FILL)
     must_fill = watch_release(ordinary, state, base, stood, dt)
-    force = choose(must_fill, asked, force)
-    state[base + FORCE_TARGET] = -force
-    _apply(parameters, state, base, now.demand, asked, force, dt)
+    state[base + FORCE_TARGET] = -choose(must_fill, asked, force)
     request_sand(ordinary, state, base, now.reference, dt)
 
 
 def _apply(
-    parameters: TemperatureOnly, state: FloatArray, base: int, demand: float, asked: float,
-    force: float, dt: float,
-) -> None:  # fmt: skip
+    parameters: TemperatureOnly, now: Moment, state: FloatArray, base: int, dt: float
+) -> None:
     """Let the motor take what it can of the force, and the friction brake the rest."""
+    asked = now.demand * state[base + BRAKE_FORCE]
+    force = -state[base + FORCE_TARGET]
     is_limited = force < LIMITED * asked
     effort, power = state[base + EFFORT_OF_MOTOR], state[base + POWER_OF_MOTOR]
     able = min(motor_force(effort, power, state[base + SPEED], parameters.least_speed), asked)
@@ -241,7 +255,7 @@ def _apply(
     state[base + FRICTION_PERMITTED] = choose(is_limited & has_no_valve, share, 1.0)
     state[base + VALVE] = follow_pressure(
         parameters, state, base, is_limited & (not has_no_valve), state[base + PRESSURE],
-        pressure_for(state, base, rest), state[base + FULL] * demand, dt,
+        pressure_for(state, base, rest), state[base + FULL] * now.demand, dt,
     )  # fmt: skip
 
 
