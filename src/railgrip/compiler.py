@@ -17,9 +17,9 @@ from typing import Any
 
 import llvmlite.binding as llvm
 import numba as _numba
-import numba.extending
 import platformdirs
 from numba.core.compiler import Compiler as _Compiler
+from numba.extending import intrinsic
 
 import railgrip
 from railgrip.core.formulas.choosing import choose
@@ -67,7 +67,7 @@ class _Apart(_Compiler):
         return super().define_pipelines()  # type: ignore[no-untyped-call]
 
 
-@numba.extending.intrinsic
+@intrinsic
 def _select(context: Any, condition: Any, one: Any, other: Any) -> Any:
     """`choose` as LLVM's own instruction: a branch in its place would be merged with others."""
     number = numba.types.float64

@@ -259,5 +259,5 @@ def has_brake(state: FloatArray, base: int) -> bool:
     is_equipped = state[base + IS_BRAKED] + state[base + IS_MOTORED] > 0.0
     is_believed = state[base + IS_FAULTY] == 0.0
     is_trusted = state[base + SAFETY_FILL] == 0.0
-    is_at_work: bool = state[base + SETTLED_CLOCK] <= RELEASED_AFTER
-    return is_equipped & is_believed & is_trusted & is_at_work
+    is_at_work = state[base + SETTLED_CLOCK] <= RELEASED_AFTER
+    return bool(is_equipped & is_believed & is_trusted & is_at_work)

@@ -67,4 +67,4 @@ def watch_release(
     after_filling = choose(is_alive, 0.0, kept)
     state[base + KEPT_CLOCK] = choose(was_filling, after_filling, clock)
     state[base + SAFETY_FILL] = choose(must_fill, 1.0, 0.0)
-    return must_fill
+    return bool(must_fill)

@@ -138,7 +138,7 @@ def accuracy_needed(parameters: FloatArray, state: FloatArray, n_axles: int) -> 
         for i in range(in_group(group, n_axles)):
             base = group_base(group) + i
             n_micro += state[base + RANGE] == MICRO
-    accuracy = parameters[ACCURACY]
+    accuracy: float = parameters[ACCURACY]
     return min(accuracy, parameters[MICRO_ACCURACY]) if n_micro > 0 else accuracy
 
 

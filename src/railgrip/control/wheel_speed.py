@@ -111,7 +111,7 @@ def _trembles(state: FloatArray, base: int, reading: float, is_number: bool, dt:
     state[base + ROUGHNESS] = choose(is_number, roughness, state[base + ROUGHNESS])
     is_rough = roughness > ROUGH
     jumps = abs(step) > GREATEST_JUMP + GREATEST_RATE * dt
-    return (is_rough | jumps) & is_number
+    return bool((is_rough | jumps) & is_number)
 
 
 def _stays_dropped(

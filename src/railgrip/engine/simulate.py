@@ -34,6 +34,8 @@ from railgrip.scenario.scenario import Scenario
 
 CHUNK = 4096
 """Runs handed to the kernel at a time: enough to fill the lanes, short enough to interrupt."""
+LINE = 8
+"""Numbers in a cache line."""
 
 Variations = Mapping[str, Any]
 """Numbers that differ from run to run: name of the layout, or (name, axle) → one for each run."""
@@ -89,7 +91,7 @@ def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
         lanes=_aligned((1 + n_axles) * at.N_VARS * lanes),
         reservoirs=_aligned(n_vehicles * lanes),
         ring_energy=_aligned(ring),
-        ring_factor=_aligned(ring) + 1.0,
+        ring_factor=np.ones(ring),
         ring_sand=_aligned(ring),
         controller_state=_aligned((lanes, max(prepared.compiled.state_size, 1))),
         measured=_aligned((lanes, ctl.N_MEASURED, n_axles)),
@@ -104,10 +106,11 @@ def memory(prepared: Prepared, lanes: int, whole_line: bool) -> Memory:
     )
 
 
-def _aligned(shape):
+def _aligned(shape: int | tuple[int, ...]) -> FloatArray:
+    """Return zeros that begin where a cache line does: vectors across two lines are slower."""
     size = int(np.prod(shape))
-    room = np.zeros(size + 8)
-    first = -room.ctypes.data % 64 // 8
+    room = np.zeros(size + LINE)
+    first = -room.ctypes.data % (8 * LINE) // 8
     return room[first : first + size].reshape(shape)
 
 

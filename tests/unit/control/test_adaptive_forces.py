@@ -6,7 +6,7 @@ import pytest
 from railgrip.control import contract as ctl
 from railgrip.control import conventional_state as st
 from railgrip.control.adaptive_forces import weigh_axles
-from railgrip.control.adaptive_parameters import BY_LOAD, PRESSURE, AdaptiveParameters
+from railgrip.control.adaptive_parameters import BY_LOAD, FORCES, PRESSURE, AdaptiveParameters
 from railgrip.control.adaptive_state import (
     F0,
     FACTOR,
@@ -123,7 +123,7 @@ def broken_away(**parameters):
 
 
 def test_sums_over_the_ranges():
-    bench = broken_away()
+    bench = broken_away(rule=FORCES)
     set_range(bench.state, 2, ctl.MICRO)
     bench.run(2.0, slip=0.1)
     assert (bench.sum(N_MACRO), bench.sum(N_MICRO)) == (3.0, 1.0)

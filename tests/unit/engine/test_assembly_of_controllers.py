@@ -1,6 +1,7 @@
 """The controllers' passes over the axles are packed arithmetic: an edit could lose that in silence.
 
-What is counted are packed comparisons: a pass that branches has none.
+What is counted are packed comparisons: a pass that branches has none. Stores to computed places
+(scatters) appear where branches on like conditions have been merged, and cost as much as the pass.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from railgrip.control.adaptive_forces import weigh_axles
 from railgrip.control.axle_protection import protect_axles
 from railgrip.control.conventional_wsp import ConventionalWSP
 from railgrip.control.temperature_axle import brake_axles
+from railgrip.core.formulas.choosing import choose
 from railgrip.engine.plug_ins import CONTROLLER_KERNEL, FLAT, TABLE
 
 pytestmark = pytest.mark.skipif(
@@ -35,14 +37,35 @@ LEAST = {"look at the wheels and protect": 40, "protect": 24, "weigh": 6, "tempe
 
 
 def packed_comparisons(function: object, signature: object) -> int:
+    return len(re.findall(r"^\s+v?cmp\w*pd\s", assembly(function, signature), re.MULTILINE))
+
+
+def assembly(function: object, signature: object) -> str:
     made = numba.cfunc(signature, error_model="numpy", _nrt=False)
-    asm = made(with_compiled_callees(function))._library.get_asm_str()
-    return len(re.findall(r"^\s+v?cmp\w*pd\s", asm, re.MULTILINE))
+    return str(made(with_compiled_callees(function))._library.get_asm_str())
 
 
 @pytest.mark.parametrize("name", PASSES)
 def test_a_pass_over_the_axles_compares_several_at_a_time(name: str) -> None:
     assert packed_comparisons(*PASSES[name]) >= LEAST[name]
+
+
+@pytest.mark.parametrize("name", PASSES)
+def test_a_pass_stores_nothing_to_computed_places(name: str) -> None:
+    assert "scatter" not in assembly(*PASSES[name])
+
+
+def test_a_choice_is_one_selection() -> None:
+    def chosen(state: object) -> None:
+        is_small = (state[0] < 1.0) & (state[1] < 1.0)  # type: ignore[index]
+        state[2] = choose(is_small, state[0], state[1])  # type: ignore[index]
+
+    signature = types.void(FLAT)
+    made = numba.cfunc(signature, error_model="numpy", _nrt=False)
+    ir = made(with_compiled_callees(chosen))._library.get_llvm_str()
+    body = ir[ir.index("define") :].partition("\n}")[0]
+    assert " select " in body
+    assert " br i1 " not in body
 
 
 def test_a_loop_that_is_left_early_has_none() -> None:

@@ -132,6 +132,16 @@ def test_a_delay_too_long_for_the_step(coach: Coach) -> None:
         planned(coach(train=train))
 
 
+def test_no_more_ticks_are_kept_than_the_delays_reach_back(coach: Coach) -> None:
+    """Vent 50 ms, fill 60 ms; a fault adds to the valve's own."""
+    assert planned(coach()).timing.kept == 7
+    assert planned(coach(step=0.005, trace=0.05)).timing.kept == 15
+    late = {"fault": [{"axle": "all", "kind": "valve_delayed", "delay": 0.28}]}
+    assert planned(coach().with_(late)).timing.kept == 63
+    with pytest.raises(RailgripError, match=r"fault.delay and the valve's own: .*got 340 ms"):
+        planned(coach(step=0.005, trace=0.05).with_(late))
+
+
 @pytest.mark.parametrize(("speed", "step"), [(100.0, 0.01), (10.0, 0.001), (60.0, 0.02)])
 def test_no_wheel_passes_a_whole_cell_in_a_tick(coach: Coach, speed: float, step: float) -> None:
     length = cell_length(coach(speed=speed, step=step, trace=0.1))
