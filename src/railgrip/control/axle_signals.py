@@ -68,6 +68,7 @@ def give_command(state: FloatArray, command: FloatArray) -> None:
     """Write the command of every axle out of the state."""
     n_axles = command.shape[0]
     reference = state[REFERENCE]
+    # a loop for each column: of several in one LLVM packs none
     give(state, VALVE, command, DUMP_VALVE)
     give(state, DYNAMIC_PERMITTED, command, DYNAMIC_SHARE)
     give(state, SLIDES, command, IS_SLIDING)

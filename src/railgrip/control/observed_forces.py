@@ -84,7 +84,7 @@ def observing(parameters: FloatArray, reference: float, dt: float) -> Observing:
 
 
 def leave_out(state: FloatArray, axle: int) -> None:
-    """Let an axle tell nothing: the train brakes, where the supervisor is asked while it drives."""
+    """Let an axle tell nothing, as one does that is not driven."""
     state[axle_base(axle) + RANGE_CLOCK] = 0.0
     state[axle_base(axle) + IS_LEAD] = 0.0
 

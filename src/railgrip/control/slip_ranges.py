@@ -10,6 +10,7 @@ from typing import Final, NamedTuple
 
 from railgrip.control.adaptive_state import RANGE
 from railgrip.control.axle_protection import protect_axles
+from railgrip.control.axle_signals import give
 from railgrip.control.contract import MICRO, MIDDLE, SLIP_RANGE, FloatArray
 from railgrip.control.conventional_parameters import (
     SLIP_LOWER,
@@ -22,7 +23,7 @@ from railgrip.control.conventional_state import BAND_LOWER, BAND_UPPER, REFERENC
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import GROUP, group_base, groups, in_group
+from railgrip.control.state_layout import group_base, groups, in_group
 from railgrip.control.train_observer import observe_train
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.formulas.choosing import choose
@@ -108,17 +109,8 @@ def protect_in_ranges(
             state[base + BAND_LOWER] = choose(is_micro, micro_lower, lower)
             state[base + BAND_UPPER] = choose(is_micro, micro_upper, upper)
     protect_axles(parameters, state, command, dt)
-    give_ranges(state, command)
+    give(state, RANGE, command, SLIP_RANGE)
     follow_neighbours(axle_setup, state, measured, command)
-
-
-def give_ranges(state: FloatArray, command: FloatArray) -> None:
-    """Write the permitted range of every axle out of the state."""
-    n_axles = command.shape[0]
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            command[group * GROUP + i, SLIP_RANGE] = state[base + RANGE]
 
 
 def check_bands(parameters: ConventionalParameters, lower: RangeBands) -> None:

@@ -17,9 +17,11 @@ from railgrip.control.adaptive_state import FACTOR as SIGNAL_FACTOR
 from railgrip.control.adaptive_state import RANGE, STATE
 from railgrip.control.adaptive_supervisor import supervise
 from railgrip.control.axle_protection import freed_place
+from railgrip.control.axle_signals import give
 from railgrip.control.contract import (
     MICRO,
     MIDDLE,
+    SLIP_RANGE,
     WSP_STATE,
     FloatArray,
 )
@@ -38,7 +40,7 @@ from railgrip.control.driving_reference import is_driving
 from railgrip.control.observed_forces import add_up, observing, weigh_axle
 from railgrip.control.parameter_sets import joined
 from railgrip.control.plain_form import KernelController
-from railgrip.control.slip_ranges import N_RANGED, give_ranges
+from railgrip.control.slip_ranges import N_RANGED
 from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group, state_size
 from railgrip.control.temperature_controlled import (
     check_temperature,
@@ -163,7 +165,7 @@ def temperature_adaptive_kernel(
         supervise(supervision, state, n_axles, look)
     limit_slips(parameters, state, n_axles)
     lead_axles(parameters, axle_setup, state, measured, command, dt)
-    give_ranges(state, command)
+    give(state, RANGE, command, SLIP_RANGE)
     follow_believed(axle_setup, state, measured, command)
 
 

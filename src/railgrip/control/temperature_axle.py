@@ -7,7 +7,7 @@ from typing import NamedTuple
 from railgrip.control.axle_alarm import axle_alarm
 from railgrip.control.axle_forces import motor_force, pressure_for
 from railgrip.control.axle_protection import freed_place
-from railgrip.control.axle_signals import give_command
+from railgrip.control.axle_signals import give, give_command
 from railgrip.control.contract import (
     ALARM,
     DRIVE_DEMAND,
@@ -42,7 +42,7 @@ from railgrip.control.pressure_following import follow_pressure
 from railgrip.control.safety_timer import watch_release
 from railgrip.control.sanding_request import request_sand
 from railgrip.control.slip_band import note_slide, threshold
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 from railgrip.control.temperature_parameters import TemperatureOnly, temperature_of
 from railgrip.control.temperature_state import (
     BRAKE_FORCE,
@@ -198,10 +198,7 @@ def brake_axles(
             base = group_base(group) + i
             _apply(own, now, state, base, dt)
     give_command(state, command)
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            command[group * GROUP + i, FRICTION_SHARE] = state[base + FRICTION_PERMITTED]
+    give(state, FRICTION_PERMITTED, command, FRICTION_SHARE)
 
 
 def _aim_at(
