@@ -3,8 +3,8 @@
 Compiled, as the kernel calls it, with the signals of a slide (half the axles at 80 % of the train's
 speed); through the Python object, as `railgrip check` and any plain controller do; and in a batch
 on random rail, by looking at the processor's clock before and after each step. There signals are
-less regular than in the first, and the plant has used the caches in between. What it costs to pass
-the arrays to a step (1 ns an axle) counts in the first figure and not in the last.
+less regular than in the first, and the plant has used the caches in between. A call that passes the
+arrays is counted in both.
 
     python benchmarks/bench_controller.py [--quick] [--out FILE]
 """

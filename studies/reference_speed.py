@@ -109,9 +109,7 @@ def forces_kernel(
     wheels = look_at_wheels(parameters, state, measured, parameters[SLIP_LOWER], dt)
     sample = int(state[SAMPLE])
     window = int(parameters[OBSERVER_WINDOW] / dt + 0.5)
-    length = min(window, sample)
-    per_time = 1.0 / (max(length, 1) * dt)
-    observe_friction(state, n_axles, sample, window, length, dt, per_time)
+    observe_friction(state, n_axles, sample, window, dt)
     reckon_with_forces(parameters, state, wheels, n_axles, parameters[SLIP_LOWER], dt)
     state[SAMPLE] += 1.0
     _protect(parameters, axle_setup, state, measured, command, dt)

@@ -53,9 +53,8 @@ state[first + MASS] = mass
 index = 60e3 / mass * DT**2 / 0.02  # the shipped drift of the force and noise of the speed
 believed = (speed[begin], applied[begin])
 for i in range(begin, len(time)):
-    length = min(10, i - begin)
     state[first + SPEED], state[first + DYNAMIC] = speed[i], -applied[i]
-    observe_friction(state, 1, i - begin, 10, length, DT, 1.0 / (max(length, 1) * DT))
+    observe_friction(state, 1, i - begin, 10, DT)
     window[i] = state[first + FRICTION]
     believed = observe_by_kalman(speed[i], *believed, applied[i - 1], mass, index, DT)
     kalman[i] = believed[1]

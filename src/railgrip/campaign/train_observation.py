@@ -196,10 +196,9 @@ def _rail_force(measured: Measurements, applied: Array, rotating: Array) -> Arra
         state[base + MASS] = mass
         state[base + FORCE_BEFORE] = pull[0]
     for sample in range(n_samples):
-        length = min(most, sample)
         for axle, base in enumerate(bases):
             state[base + SPEED] = measured.wheel_speed[axle, sample]
             state[base + DYNAMIC] = -applied[axle, sample]
-        observe_friction(state, n_axles, sample, most, length, step, 1.0 / (max(length, 1) * step))
+        observe_friction(state, n_axles, sample, most, step)
         force[:, sample] = [state[base + FRICTION] for base in bases]
     return force

@@ -23,9 +23,7 @@ def observe_friction(
     n_axles: int,
     sample: int,
     window: int,
-    length: int,
     dt: float,
-    per_time: float,
 ) -> None:
     """Update the observed force of every axle in the state.
 
@@ -37,10 +35,10 @@ def observe_friction(
         Number of axles.
     sample : int
         Number of this sample since the controller began.
-    window, length : int
-        Samples in the window, below `N_WINDOW`; the same, but not more than there have been before.
-    dt, per_time : float
-        Period [s]; one over the length of the window, [1/s].
+    window : int
+        Samples in the window, below `N_WINDOW`.
+    dt : float
+        Period, [s].
 
     Notes
     -----
@@ -48,6 +46,8 @@ def observe_friction(
     F = (∫F* dt − m_r Δw)/Δt, and μ* M g = |F|. Speeds come one period late, so the forces of one
     period ago are put beside them. It lags by half the window and that period.
     """
+    length = min(window, sample)
+    per_time = 1.0 / (max(length, 1) * dt)
     # no more samples than the window reaches back to, since each in use wants its room in the cache
     kept = 1
     while kept <= window:

@@ -129,11 +129,9 @@ def observe_forces(
     wheels = look_at_wheels(parameters, state, measured, accuracy, dt)
     sample = int(state[SAMPLE])
     window = int(parameters[OBSERVER_WINDOW] / dt + 0.5)
-    length = min(window, sample)
-    per_time = 1.0 / (max(length, 1) * dt)
     if is_driving(measured):
         watch_driven_sensors(parameters, axle_setup, state, measured, dt)
-    observe_friction(state, n_axles, sample, window, length, dt, per_time)
+    observe_friction(state, n_axles, sample, window, dt)
     if is_driving(measured):
         follow_trailing_wheels(parameters, axle_setup, state, n_axles, dt)
     else:

@@ -34,10 +34,10 @@ def _acts(faults: Any, i: int, tick: int, run: int) -> bool:
 
 
 @compiled
-def break_sensors(L: int, S: Any, faults: Any, kept: int, moment: int, seed: int, k: int) -> None:
+def break_sensors(L: int, S: Any, faults: Any, timing: Any, moment: int, seed: int, k: int) -> None:
     """Spoil what the sensors of lane k hand over in this tick."""
-    now = (at.SPEED_HISTORY + (moment & kept)) * L + k
-    before = (at.SPEED_HISTORY + ((moment - 1) & kept)) * L + k
+    now = (at.SPEED_HISTORY + (moment & timing.kept)) * L + k
+    before = (at.SPEED_HISTORY + ((moment - 1) & timing.kept)) * L + k
     tick = int(S[at.TICK * L + k])
     run, number = int(S[at.RUN * L + k]), int(S[at.NUMBER * L + k])
     for i in range(faults.axle.shape[0]):

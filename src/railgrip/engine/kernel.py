@@ -59,6 +59,12 @@ COMPLETED = int(RunStatus.COMPLETED)
 STALLED = int(RunStatus.STALLED)
 
 
+@inlined
+def _kept_place(timing: Any, moment: int) -> Any:
+    """Return which of the kept ticks a moment has."""
+    return to.as_offset(moment & timing.kept & WRAP)
+
+
 @entry
 def step_lanes(S: Any, n_axles: int, creep_law: int, tables: Any, custom: Any, h: float) -> None:
     """One plant step of sixteen lanes: the loops that must be packed arithmetic."""
@@ -75,8 +81,8 @@ def step_single(S: Any, n_axles: int, creep_law: int, tables: Any, custom: Any, 
 def _advance(lanes: Any, S: Any, plan: Any, custom: Any, step: Any, moment: int) -> None:
     timing, way = plan.timing, plan.way
     has_faults = plan.faults.axle.shape[0] > 0
-    vent = to.VALVE_HISTORY + to.as_offset((moment - timing.vent_delay) & timing.kept & WRAP)
-    fill = to.VALVE_HISTORY + to.as_offset((moment - timing.fill_delay) & timing.kept & WRAP)
+    vent = to.VALVE_HISTORY + _kept_place(timing, moment - timing.vent_delay)
+    fill = to.VALVE_HISTORY + _kept_place(timing, moment - timing.fill_delay)
     for axle in range(plan.n_axles):
         b = (axle + to.AXLE_BLOCK) * to.N_VARS * width(lanes)
         valve_pass(lanes, S, b, vent, fill)
@@ -110,7 +116,7 @@ def advance_single(S: Any, plan: Any, custom: Any, moment: int) -> None:
 def _sense(lanes: Any, S: Any, plan: Any, moment: int) -> None:
     L = width(lanes)
     timing = plan.timing
-    slot = to.SPEED_HISTORY + to.as_offset(moment & timing.kept & WRAP)
+    slot = to.SPEED_HISTORY + _kept_place(timing, moment)
     begin_train(lanes, S, timing.tick)
     for axle in range(plan.n_axles):
         b = (axle + to.AXLE_BLOCK) * to.N_VARS * L
@@ -121,7 +127,7 @@ def _sense(lanes: Any, S: Any, plan: Any, moment: int) -> None:
         )  # fmt: skip
     if plan.faults.axle.shape[0] > 0:
         for k in range(len(lanes)):
-            break_sensors(len(lanes), S, plan.faults, timing.kept, moment, plan.way.seed, k)
+            break_sensors(len(lanes), S, plan.faults, timing, moment, plan.way.seed, k)
 
 
 @entry
@@ -168,12 +174,12 @@ def _listen(
     L: int, S: Any, memory: Any, monitor: Any, timing: Any, n_axles: int, moment: int, k: int
 ) -> None:
     """Put what lane k measures into its table; wheel rotation monitoring looks at it too."""
-    slot = at.SPEED_HISTORY + ((moment - timing.sensor_delay) & timing.kept & WRAP)
+    slot = to.SPEED_HISTORY + _kept_place(timing, moment - timing.sensor_delay)
     measured, alarm = memory.measured[k].T, memory.alarm[k]
     demand, emergency = S[at.DRIVER_DEMAND * L + k], S[at.EMERGENCY * L + k]
     gather(
         to.as_offset(L), S, measured, demand, emergency, S[at.DRIVE_DEMAND * L + k],
-        to.as_offset(n_axles), to.as_offset(k), to.as_offset(slot),
+        to.as_offset(n_axles), to.as_offset(k), slot,
     )  # fmt: skip
     if int(S[at.TICK * L + k]) % timing.monitor_every == 0:
         period = timing.tick * timing.monitor_every
@@ -203,7 +209,7 @@ def control(
             if tick == 0:
                 initial(parameters, setup, state, measured)
             controller(parameters, setup, state, measured, command, period)
-        slot = to.as_offset(at.VALVE_HISTORY + (moment & timing.kept & WRAP))
+        slot = to.VALVE_HISTORY + _kept_place(timing, moment)
         obey(to.as_offset(L), S, command, plan.n_axles, to.as_offset(k), slot)
         if plan.formation.has_shared_inverter == 1:
             share_inverters(L, S, plan.formation.inverter_of_axle, k)
@@ -435,7 +441,7 @@ def after_control_single(memory: Any, plan: Any, moment: int, custom: Any) -> No
     """Obey the command that Python has put into memory.command, and finish the tick."""
     S = memory.lanes
     n_axles = plan.formation.vehicle_of_axle.shape[0]
-    slot = to.as_offset(at.VALVE_HISTORY + (moment & plan.timing.kept & WRAP))
+    slot = to.VALVE_HISTORY + _kept_place(plan.timing, moment)
     obey(to.as_offset(1), S, memory.command[0].T, plan.n_axles, to.as_offset(0), slot)
     share_inverters(1, S, plan.formation.inverter_of_axle, 0)
     ask_for_sand(1, S, memory.command[0].T, n_axles, 0)

@@ -124,10 +124,9 @@ def test_the_limit_follows_its_course() -> None:
 
 def observe(state: np.ndarray, sample: int, speed: float) -> None:
     """A window of ten samples, and 8 kN applied."""
-    length = min(10, sample)
     state[BASE + SPEED] = speed
     state[BASE + DYNAMIC] = 8e3
-    observe_friction(state, 1, sample, 10, length, 0.01, 100.0 / max(length, 1))
+    observe_friction(state, 1, sample, 10, 0.01)
 
 
 def test_the_window_finds_the_force_of_the_rail() -> None:
