@@ -1,4 +1,4 @@
-"""What each axle reaches: F0 at breakaway, mean force FB, slid distance sRB, and their sums.
+"""What each braked axle reaches (`force_weighing`), told by its cylinder.
 
 Any signal proportional to the brake force will do. The cylinder pressure is one; at breakaway it
 runs ahead of the rail's force, because a part of it only slows the wheel. That part is known from
@@ -8,53 +8,13 @@ force is the better signal, most of all in a cylinder that is still filling.
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Final
 
-from railgrip.control.adaptive_parameters import (
-    ADHESION_SHARE,
-    BREAKAWAY_FLOOR,
-    BREAKAWAY_GROWTH,
-    BREAKAWAY_SLIP,
-    F0_FILTER,
-    LEAD_AXLES,
-    LOOKOUT,
-    MEAN_TIME,
-    RAIL_FORCE,
-    RESTART_AFTER,
-    RULE,
-    SIGNAL,
-)
-from railgrip.control.adaptive_state import (
-    COUNTS,
-    F0,
-    FACTOR,
-    FOLLOWER_FORCE,
-    FORCE,
-    IN_MACRO,
-    IN_MICRO,
-    IS_ARMED,
-    IS_LEAD,
-    LEADER_FORCE,
-    LEADER_SLID,
-    MACRO_F0,
-    MACRO_FORCE,
-    MACRO_SLID,
-    MEAN,
-    MICRO_FORCE,
-    N_MACRO,
-    N_MICRO,
-    RANGE,
-    RANGE_CLOCK,
-    SLID,
-    TELLS,
-)
+from railgrip.control.adaptive_parameters import RAIL_FORCE, SIGNAL
+from railgrip.control.adaptive_state import TELLS
 from railgrip.control.axle_protection import freed_place
-from railgrip.control.contract import MICRO, FloatArray
-from railgrip.control.conventional_parameters import (
-    ROTATING_SHARE,
-    ConventionalParameters,
-    conventional_of,
-)
+from railgrip.control.contract import FloatArray
+from railgrip.control.conventional_parameters import ROTATING_SHARE, conventional_of
 from railgrip.control.conventional_state import (
     ACCELERATION,
     DECELERATION,
@@ -67,55 +27,12 @@ from railgrip.control.conventional_state import (
     SETTLED_CLOCK,
     SPEED,
 )
-from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group
+from railgrip.control.force_weighing import ALWAYS_SETTLED, add_up, weigh_axle, weighing
+from railgrip.control.state_layout import GROUP, group_base, groups
 from railgrip.control.train_observer import braking_pressure
 from railgrip.core.formulas.choosing import choose
 
 RELEASED_AFTER: Final = 1.0  # s without brake and without gain of speed: released or cut out
-
-
-class Weighing(NamedTuple):
-    """What is the same for all axles when their forces are weighed, read once.
-
-    Parameters
-    ----------
-    inertia : float
-        Pressure that slows a wheel by 1 m/s², [Pa s²/m]; 0 where the signal is the pressure.
-    breaking, adhering : float
-        Slip speed at breakaway and the one below which an axle adheres again, [m/s].
-    growth : float
-        Rate of the slip speed at breakaway, [m/s²].
-    restart : float
-        Time in a range before its mean begins, [s].
-    force_blend, mean_blend : float
-        Shares of the filters.
-    """
-
-    inertia: float
-    breaking: float
-    adhering: float
-    growth: float
-    restart: float
-    force_blend: float
-    mean_blend: float
-
-
-def weighing(parameters: FloatArray, state: FloatArray, dt: float) -> Weighing:
-    """Return what is the same for all axles."""
-    inertia = 0.0
-    if parameters[SIGNAL] == RAIL_FORCE:
-        inertia = parameters[ROTATING_SHARE] / state[PRESSURE_GAIN]
-    breaking = threshold(parameters[BREAKAWAY_SLIP], parameters[BREAKAWAY_FLOOR], state[REFERENCE])
-    return Weighing(
-        inertia=inertia,
-        breaking=breaking,
-        adhering=parameters[ADHESION_SHARE] * breaking,
-        growth=parameters[BREAKAWAY_GROWTH],
-        restart=parameters[RESTART_AFTER],
-        force_blend=dt / (parameters[F0_FILTER] + dt),
-        mean_blend=dt / (parameters[MEAN_TIME] + dt),
-    )
 
 
 def weigh_axles(parameters: FloatArray, state: FloatArray, n_axles: int, dt: float) -> None:
@@ -136,122 +53,31 @@ def weigh_axles(parameters: FloatArray, state: FloatArray, n_axles: int, dt: flo
     been in their range for `restart_after`.
     """
     own = conventional_of(parameters)
-    same = weighing(parameters, state, dt)
+    same = weighing(parameters, state[REFERENCE], ALWAYS_SETTLED, dt)
+    inertia = _inertia(parameters, state)
     reference = state[REFERENCE]
     deceleration = state[DECELERATION]
     freed = freed_place(state)
     for group in range(groups(n_axles)):
         for i in range(GROUP):
             base = group_base(group) + i
-            _weigh(own, same, state, base, reference, deceleration, base == freed, dt)
-    find_leads(parameters, state, n_axles)
-    sum_up(parameters, state, n_axles)
+            brakes = has_brake(state, base)
+            acceleration = state[base + ACCELERATION]
+            force = braking_pressure(own, state, base) + inertia * acceleration
+            slip_speed = reference - state[base + SPEED]
+            growth = -(acceleration + deceleration)
+            weigh_axle(same, state, base, brakes & (base != freed), force, slip_speed, growth, dt)
+            # an axle that is let run free leads all the same
+            state[base + TELLS] = choose(brakes, 1.0, 0.0)
+    add_up(parameters, state, n_axles)
 
 
-def _weigh(
-    parameters: ConventionalParameters,
-    same: Weighing,
-    state: FloatArray,
-    base: int,
-    reference: float,
-    deceleration: float,
-    is_freed: bool,
-    dt: float,
-) -> None:
-    """Update one axle: without branches, for packed arithmetic."""
-    brakes = has_brake(state, base)
-    works = brakes & (not is_freed)
-    slip_speed = reference - state[base + SPEED]
-    acceleration = state[base + ACCELERATION]
-    pressure = braking_pressure(parameters, state, base)
-    signal = (pressure + same.inertia * acceleration) * state[base + FACTOR]
-    force = state[base + FORCE] + same.force_blend * (signal - state[base + FORCE])
-    is_armed = state[base + IS_ARMED]
-    adheres = slip_speed < same.adhering
-    grows = acceleration + deceleration < -same.growth
-    breaks = (is_armed > 0.0) & (slip_speed > same.breaking) & grows & (not adheres)
-    armed = choose(adheres, 1.0, choose(breaks, 0.0, is_armed))
-    clock = choose(works, state[base + RANGE_CLOCK] + dt, 0.0)
-    is_new = clock <= same.restart
-    mean = state[base + MEAN] + same.mean_blend * (signal - state[base + MEAN])
-    mean = choose(works, choose(is_new, force, mean), state[base + MEAN])
-    slid = choose(is_new, 0.0, state[base + SLID] + abs(slip_speed) * dt)
-    slid = choose(works, slid, state[base + SLID])
-    f0 = choose(works & breaks, max(force, 0.0), state[base + F0])
-    state[base + FORCE] = choose(works, force, state[base + FORCE])
-    state[base + F0] = f0
-    state[base + IS_ARMED] = choose(works, armed, is_armed)
-    state[base + RANGE_CLOCK] = clock
-    state[base + MEAN] = mean
-    state[base + SLID] = slid
-    count_in(state, base, works, is_new)
-    state[base + TELLS] = choose(brakes, 1.0, 0.0)
-
-
-def count_in(state: FloatArray, base: int, works: bool, is_new: bool) -> None:
-    """Note whether an axle tells anything, and in which range it counts; none leads as yet."""
-    counts = works & (not is_new)
-    is_broken_away = state[base + F0] > 0.0
-    is_micro = state[base + RANGE] <= MICRO
-    state[base + TELLS] = choose(works, 1.0, 0.0)
-    state[base + IS_LEAD] = 0.0
-    state[base + COUNTS] = choose(counts, 1.0, 0.0)
-    state[base + IN_MACRO] = choose(counts & is_broken_away & (not is_micro), 1.0, 0.0)
-    state[base + IN_MICRO] = choose(counts & is_broken_away & is_micro, 1.0, 0.0)
-
-
-def find_leads(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
-    """Let the first axles that tell anything lead, and note what first and last of them say."""
-    n_lead = 0.0
-    leader_force = follower_force = leader_slid = 0.0
-    for axle in range(n_axles):
-        if n_lead >= parameters[LEAD_AXLES]:
-            break
-        base = axle_base(axle)
-        if state[base + TELLS] > 0.0:
-            n_lead += 1.0
-            state[base + IS_LEAD] = 1.0
-            counts = state[base + COUNTS] > 0.0
-            if counts and n_lead == 1.0:
-                leader_force = state[base + MEAN]
-                leader_slid = state[base + SLID]
-            if counts and n_lead == parameters[LEAD_AXLES]:
-                follower_force = state[base + MEAN]
-    state[LEADER_FORCE] = leader_force
-    state[FOLLOWER_FORCE] = follower_force
-    state[LEADER_SLID] = leader_slid
-
-
-def sum_up(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
-    """Count the axles in either range; sum up what they reach, where the rule asks for it."""
-    n_macro = 0
-    n_micro = 0
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            n_macro += state[base + IN_MACRO] > 0.0
-            n_micro += state[base + IN_MICRO] > 0.0
-    state[N_MACRO] = n_macro
-    state[N_MICRO] = n_micro
-    if parameters[RULE] != LOOKOUT:
-        _sum_up_forces(state, n_axles)
-
-
-def _sum_up_forces(state: FloatArray, n_axles: int) -> None:
-    """Sum up over the axles that count in either range, in the order of the axles."""
-    macro_force = micro_force = macro_f0 = macro_slid = 0.0
-    for group in range(groups(n_axles)):
-        for i in range(GROUP):
-            base = group_base(group) + i
-            in_macro = state[base + IN_MACRO]
-            macro_force += in_macro * state[base + MEAN]
-            macro_f0 += in_macro * state[base + F0]
-            macro_slid += in_macro * state[base + SLID]
-            micro_force += state[base + IN_MICRO] * state[base + MEAN]
-    state[MACRO_FORCE] = macro_force
-    state[MICRO_FORCE] = micro_force
-    state[MACRO_F0] = macro_f0
-    state[MACRO_SLID] = macro_slid
+def _inertia(parameters: FloatArray, state: FloatArray) -> float:
+    """Return the pressure that slows a wheel by 1 m/s², 0 where the signal is it, [Pa s²/m]."""
+    inertia = 0.0
+    if parameters[SIGNAL] == RAIL_FORCE:
+        inertia = parameters[ROTATING_SHARE] / state[PRESSURE_GAIN]
+    return inertia
 
 
 def has_brake(state: FloatArray, base: int) -> bool:

@@ -18,7 +18,7 @@ from railgrip.control.adaptive_supervisor import supervise
 from railgrip.control.contract import MACRO, MICRO, SLIP_RANGE, WSP_STATE, FloatArray
 from railgrip.control.conventional_state import ACCELERATION, DECELERATION, REFERENCE, SPEED
 from railgrip.control.driving_reference import is_driving
-from railgrip.control.observed_forces import add_up, leave_out, observing, weigh_axle
+from railgrip.control.force_weighing import OBSERVED_AFTER, add_up, leave_out, weigh_axle, weighing
 from railgrip.control.peak_seeking_traction import check_search, hold_at_peak, peak_seeking_initial
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_band import threshold
@@ -77,7 +77,7 @@ def look_at_forces(
     dt : float
         Time since the last look, [s].
     """
-    same = observing(supervision, state[REFERENCE], dt)
+    same = weighing(supervision, state[REFERENCE], OBSERVED_AFTER, dt)
     for axle in range(n_axles):
         base = axle_base(axle)
         is_free = state[LOOKING] == axle + 1.0

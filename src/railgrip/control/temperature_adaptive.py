@@ -37,7 +37,7 @@ from railgrip.control.conventional_state import (
     SPEED,
 )
 from railgrip.control.driving_reference import is_driving
-from railgrip.control.observed_forces import add_up, observing, weigh_axle
+from railgrip.control.force_weighing import OBSERVED_AFTER, add_up, weigh_axle, weighing
 from railgrip.control.parameter_sets import joined
 from railgrip.control.plain_form import KernelController
 from railgrip.control.slip_ranges import N_RANGED
@@ -105,7 +105,7 @@ def weigh_forces(
     supervision: FloatArray, state: FloatArray, n_axles: int, sign: float, dt: float
 ) -> None:
     """Weigh what every axle reaches by the force of the rail, driving (sign 1) or braking (-1)."""
-    same = observing(supervision, state[REFERENCE], dt)
+    same = weighing(supervision, state[REFERENCE], OBSERVED_AFTER, dt)
     reference, deceleration = state[REFERENCE], state[DECELERATION]
     freed = freed_place(state)
     is_braking = sign < 0.0
