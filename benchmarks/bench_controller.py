@@ -3,8 +3,8 @@
 Compiled, as the kernel calls it, with the signals of a slide (half the axles at 80 % of the train's
 speed); through the Python object, as `railgrip check` and any plain controller do; and in a batch
 on random rail, by looking at the processor's clock before and after each step. There signals are
-less regular than in the first, and the plant has used the caches in between. A call that passes the
-arrays is counted in both.
+less regular than in the first, and the plant has used the caches in between. The call
+itself is counted in both.
 
     python benchmarks/bench_controller.py [--quick] [--out FILE]
 """
@@ -21,11 +21,12 @@ from llvmlite import ir
 
 import railgrip as rg
 from railgrip.compiler import compiled as as_function
-from railgrip.compiler import entry
+from railgrip.compiler import entry, inlined
 from railgrip.control import contract as ctl
 from railgrip.control.plain_form import KernelController
 from railgrip.core import registry
 from railgrip.engine.controllers import compiled, plain_step
+from railgrip.engine.plug_ins import call_step, controller_step
 
 AXLES = 16
 SCENARIO = rg.load("random_rail")
@@ -35,12 +36,12 @@ SPENT = np.zeros(1, dtype=np.int64)
 
 @entry
 def _many(controller, parameters, setup, state, measured, command, dt, calls):
-    for call in range(calls):
+    for turn in range(calls):
         # the train slows by 1 m/s² and gains it again: a jump would be told as a broken sensor
-        speed = 25.0 + abs(15.0 - 0.01 * (call % 3000))
+        speed = 25.0 + abs(15.0 - 0.01 * (turn % 3000))
         for axle in range(measured.shape[0]):
             measured[axle, 0] = speed if axle % 2 == 0 else 0.8 * speed
-        controller(parameters, setup, state, measured, command, dt)
+        call_step(controller, parameters, setup, state, measured, command, dt)
 
 
 def call_costs(controller: Any, calls: int, plain_calls: int) -> tuple[float, float]:
@@ -61,7 +62,7 @@ def call_costs(controller: Any, calls: int, plain_calls: int) -> tuple[float, fl
     ready.initial(*arrays)
 
     def fast(count: int) -> None:
-        _many(ready.kernel, *arrays, ctl.command_array(AXLES), controller.period, count)
+        _many(ready.step, *arrays, ctl.command_array(AXLES), controller.period, count)
 
     def slow() -> None:
         state = controller.reset(setup)
@@ -107,11 +108,11 @@ def _do_nothing(parameters, setup, state, measured, command, dt):  # type: ignor
 
 def watched(controller: Any, function: Any) -> Any:
     """Return a controller with a function for its step, which notes in `SPENT` how long it took."""
-    kernel = as_function(function)
+    inner, call = as_function(controller_step(function)), inlined(call_step)
 
     def step(parameters, setup, state, measured, command, dt):  # type: ignore[no-untyped-def]
         begin = _clock()
-        kernel(parameters, setup, state, measured, command, dt)
+        call(inner, parameters, setup, state, measured, command, dt)
         _note(_clock() - begin)
 
     class Watched(KernelController):

@@ -38,7 +38,6 @@ from railgrip.control.conventional_wsp import (
     BANDS,
     ConventionalWSP,
     conventional_initial,
-    set_band,
 )
 from railgrip.control.force_reckoning import reckon_with_forces
 from railgrip.control.plain_form import KernelController
@@ -76,7 +75,6 @@ def _protect(
     command: FloatArray,
     dt: float,
 ) -> None:
-    set_band(parameters, state, measured.shape[0])
     protect_axles(parameters, state, command, dt)
 
 

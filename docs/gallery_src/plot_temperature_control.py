@@ -14,9 +14,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import railgrip as rg
+from railgrip.control.temperature_aim import targets
 from railgrip.control.temperature_controlled import TemperatureControlled
 from railgrip.control.temperature_parameters import TemperatureParameters
-from railgrip.control.temperature_state import targets
 
 LIMIT = 200.0  # K
 AXLE = 6
@@ -36,7 +36,8 @@ class Logged:
 
     def step(self, state, measured, dt):
         command = self.inner.step(state, measured, dt)
-        self.notes.append(targets(state.values, AXLE))
+        parameters = np.array(self.inner.parameters)
+        self.notes.append(targets(parameters, state.values, AXLE))
         return command
 
 

@@ -19,10 +19,9 @@ import llvmlite.binding as llvm
 import numba as _numba
 import platformdirs
 from numba.core.compiler import Compiler as _Compiler
-from numba.extending import intrinsic
 
 import railgrip
-from railgrip.core.formulas.choosing import choose
+from railgrip.intrinsics import FORMS
 
 # Numba's own type hints lack options that we need.
 numba: Any = _numba
@@ -67,18 +66,7 @@ class _Apart(_Compiler):
         return super().define_pipelines()  # type: ignore[no-untyped-call]
 
 
-@intrinsic
-def _select(context: Any, condition: Any, one: Any, other: Any) -> Any:
-    """`choose` as LLVM's own instruction: a branch in its place would be merged with others."""
-    number = numba.types.float64
-
-    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
-        return builder.select(*given)
-
-    return number(numba.types.boolean, number, number), generate
-
-
-_compiled: dict[Callable[..., Any], Any] = {choose: _select}
+_compiled: dict[Callable[..., Any], Any] = dict(FORMS)
 
 
 def with_compiled_callees(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from railgrip.control.state_layout import GROUP, OF_SUPERVISOR, SYSTEM
+from railgrip.control.state_layout import GROUP, OF_SUPERVISOR, SCRATCH, SYSTEM
 
 # The system.
 STATE: Final = SYSTEM + 0  # number of the state, 301 … 314
@@ -23,6 +23,8 @@ FOLLOWER_FORCE: Final = SYSTEM + 11  # FB of the last leading test axle; 0 while
 LEADER_SLID: Final = SYSTEM + 12  # slid distance of the first leading test axle, m
 WAITED: Final = SYSTEM + 13  # control periods since the supervisor last looked
 IS_DECIDED: Final = SYSTEM + 14  # 1 once 306 has been asked: before, 301 starts in `start`
+ACCURACY: Final = SYSTEM + 15  # how exactly the ranges in use need the train speed, as a slip
+HAVE_CHANGED: Final = SYSTEM + 16  # 1 once an axle has been given another range
 
 # Each axle; forces in the unit of the signal.
 FORCE: Final = (OF_SUPERVISOR + 0) * GROUP  # through the short filter
@@ -35,10 +37,10 @@ FACTOR: Final = (OF_SUPERVISOR + 6) * GROUP  # scale of the signal
 TESTED_AT: Final = (OF_SUPERVISOR + 7) * GROUP  # number of its last test; 0 for never
 IS_TESTED: Final = (OF_SUPERVISOR + 8) * GROUP  # 1 in a test phase
 IS_LEAD: Final = (OF_SUPERVISOR + 9) * GROUP  # 1 for a leading test axle
-COUNTS: Final = (
-    OF_SUPERVISOR + 10
-) * GROUP  # 1 while its mean and slid distance tell something of its range
-RANGE: Final = (OF_SUPERVISOR + 11) * GROUP  # permitted range of slip
-TELLS: Final = (OF_SUPERVISOR + 12) * GROUP  # 1 for one that brakes or pulls, and is believed
-IN_MACRO: Final = (OF_SUPERVISOR + 13) * GROUP  # 1 for one that counts in macro-slip
-IN_MICRO: Final = (OF_SUPERVISOR + 14) * GROUP  # 1 for one that counts in micro-slip
+RANGE: Final = (OF_SUPERVISOR + 10) * GROUP  # permitted range of slip
+
+# Each axle, within a look.
+TELLS: Final = SCRATCH  # 1 for one that brakes or pulls, and is believed
+COUNTS: Final = SCRATCH + 1 * GROUP  # 1 while mean and slid distance tell of its range
+IN_MACRO: Final = SCRATCH + 2 * GROUP  # 1 for one that counts in macro-slip
+IN_MICRO: Final = SCRATCH + 4 * GROUP  # 1 for one that counts in micro-slip

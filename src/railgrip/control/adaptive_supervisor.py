@@ -35,6 +35,7 @@ from railgrip.control.adaptive_state import (
     F0,
     FOLLOWER_FORCE,
     HAS_PASSED,
+    HAVE_CHANGED,
     IS_DECIDED,
     IS_LEAD,
     IS_TESTED,
@@ -162,6 +163,7 @@ def set_range(state: FloatArray, axle: int, slip_range: float) -> None:
     if state[place] != slip_range:
         state[place] = slip_range
         state[axle_base(axle) + RANGE_CLOCK] = 0.0
+        state[HAVE_CHANGED] = 1.0
 
 
 def set_all(state: FloatArray, n_axles: int, slip_range: float) -> None:

@@ -24,12 +24,17 @@ from railgrip.control.adaptive_parameters import (
     check_supervision,
 )
 from railgrip.control.adaptive_round import begin_supervision, time_to_look
-from railgrip.control.adaptive_state import FACTOR, STATE
+from railgrip.control.adaptive_state import FACTOR, HAVE_CHANGED, STATE
 from railgrip.control.adaptive_supervisor import supervise
 from railgrip.control.contract import AXLE_LOAD, MOTORED, WSP_STATE, FloatArray
 from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.plain_form import KernelController
-from railgrip.control.slip_ranges import check_bands, observe_in_ranges, protect_in_ranges
+from railgrip.control.slip_ranges import (
+    check_bands,
+    observe_in_ranges,
+    protect_in_ranges,
+    set_bands,
+)
 from railgrip.control.state_layout import axle_base, state_size
 
 
@@ -45,6 +50,7 @@ def adaptive_initial(
             factor *= axle_setup[0, AXLE_LOAD] / axle_setup[axle, AXLE_LOAD]
         state[axle_base(axle) + FACTOR] = factor
     begin_supervision(parameters, state, n_axles, parameters[LEAD_AXLES])
+    set_bands(parameters, state, n_axles)
 
 
 def adaptive_kernel(
@@ -63,6 +69,8 @@ def adaptive_kernel(
         weigh_axles(parameters, state, n_axles, look)
         command[0, WSP_STATE] = state[STATE]
         supervise(parameters, state, n_axles, look)
+        if state[HAVE_CHANGED] > 0.0:
+            set_bands(parameters, state, n_axles)
     protect_in_ranges(parameters, axle_setup, state, measured, command, dt)
 
 

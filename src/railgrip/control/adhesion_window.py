@@ -4,16 +4,21 @@ from __future__ import annotations
 
 from railgrip.control.axle_forces import applied_force
 from railgrip.control.contract import FloatArray
-from railgrip.control.conventional_state import SPEED
+from railgrip.control.conventional_state import IS_FAULTY, SPEED
+from railgrip.control.side_by_side import move
 from railgrip.control.state_layout import GROUP, group_base, groups
 from railgrip.control.temperature_state import (
+    COUNTED_FRICTION,
+    COUNTED_LOAD,
     FORCE_BEFORE,
     FRICTION,
     IMPULSE,
-    IMPULSES,
+    LOAD,
     MASS,
+    MOMENTA,
+    MOMENTUM,
+    MOMENTUM_THEN,
     N_WINDOW,
-    SPEEDS,
 )
 from railgrip.core.formulas.choosing import choose
 
@@ -43,7 +48,7 @@ def observe_friction(
     Notes
     -----
     Momentum over the window: m_r Δw = ∫F* dt − ∫F dt, so the mean force of the rail is
-    F = (∫F* dt − m_r Δw)/Δt, and μ* M g = |F|. Speeds come one period late, so the forces of one
+    F = Δ(∫F* dt − m_r w)/Δt, and μ* M g = |F|. Speeds come one period late, so the forces of one
     period ago are put beside them. It lags by half the window and that period.
     """
     length = min(window, sample)
@@ -55,18 +60,20 @@ def observe_friction(
     now = (sample & (kept - 1) & (N_WINDOW - 1)) * GROUP
     then = ((sample - length) & (kept - 1) & (N_WINDOW - 1)) * GROUP
     for group in range(groups(n_axles)):
-        # one loop for each step: places that depend on the sample keep larger ones from packing
+        first = group_base(group)
+        move(state, first + MOMENTUM_THEN, first + MOMENTA + then)
         for i in range(GROUP):
-            base = group_base(group) + i
-            state[base + IMPULSE] += state[base + FORCE_BEFORE] * dt
-            state[base + FORCE_BEFORE] = applied_force(state, base)
-        for i in range(GROUP):
-            base = group_base(group) + i
-            state[base + SPEEDS + now] = state[base + SPEED]
-            state[base + IMPULSES + now] = state[base + IMPULSE]
-        for i in range(GROUP):
-            base = group_base(group) + i
-            gained = state[base + MASS] * (state[base + SPEED] - state[base + SPEEDS + then])
-            given = state[base + IMPULSE] - state[base + IMPULSES + then]
-            observed = (given - gained) * per_time
-            state[base + FRICTION] = choose(length > 0, observed, state[base + FORCE_BEFORE])
+            base = first + i
+            impulse = state[base + IMPULSE] + state[base + FORCE_BEFORE] * dt
+            momentum = impulse - state[base + MASS] * state[base + SPEED]
+            applied = applied_force(state, base)
+            observed = (momentum - state[base + MOMENTUM_THEN]) * per_time
+            friction = choose(length > 0, observed, applied)
+            is_valid = state[base + IS_FAULTY] == 0.0
+            state[base + IMPULSE] = impulse
+            state[base + MOMENTUM] = momentum
+            state[base + FORCE_BEFORE] = applied
+            state[base + FRICTION] = friction
+            state[base + COUNTED_FRICTION] = choose(is_valid, friction, 0.0)
+            state[base + COUNTED_LOAD] = choose(is_valid, state[base + LOAD], 0.0)
+        move(state, first + MOMENTA + now, first + MOMENTUM)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from railgrip.control.contract import FIRST_PRESSURE, FULL_PRESSURE, FloatArray
 from railgrip.control.conventional_state import DYNAMIC, IS_BRAKED, PRESSURE
-from railgrip.control.temperature_state import FIRST, FORCE_PER_PRESSURE
+from railgrip.control.temperature_state import FIRST, FORCE_PER_PRESSURE, PRESSURE_PER_FORCE
 from railgrip.core.formulas.choosing import choose
 
 NOMINAL_PRESSURE = 3.0e5
@@ -13,8 +13,7 @@ NOMINAL_PRESSURE = 3.0e5
 
 def pressure_for(state: FloatArray, base: int, force: float) -> float:
     """Return the cylinder pressure that gives a friction brake force at the tread, [Pa]."""
-    per_pressure = state[base + FORCE_PER_PRESSURE]
-    over: float = force / choose(per_pressure > 0.0, per_pressure, 1.0)
+    over: float = force * state[base + PRESSURE_PER_FORCE]
     return choose(force > 0.0, state[base + FIRST] + over, 0.0)
 
 

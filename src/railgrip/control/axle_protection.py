@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from railgrip.control.axle_signals import give_command
+from railgrip.control.axle_signals import give_command, note_signals
 from railgrip.control.contract import FILL, HOLD, VENT, FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters, conventional_of
 from railgrip.control.conventional_state import (
     ACCELERATION,
-    BAND_LOWER,
-    BAND_UPPER,
     DECELERATION,
     DYNAMIC,
     DYNAMIC_PERMITTED,
@@ -16,14 +14,16 @@ from railgrip.control.conventional_state import (
     IS_BRAKED,
     IS_FAULTY,
     IS_MOTORED,
+    LOWER_SHARE,
     REFERENCE,
     SPEED,
+    UPPER_SHARE,
     VALVE,
 )
 from railgrip.control.dynamic_handover import hand_over
 from railgrip.control.safety_timer import watch_release
 from railgrip.control.sanding_request import request_sand
-from railgrip.control.slip_band import note_slide, wish
+from railgrip.control.slip_band import note_slide, threshold, wish
 from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 from railgrip.control.stepped_filling import step_filling
 from railgrip.core.formulas.choosing import choose
@@ -69,7 +69,8 @@ def _protect(
     dt: float,
 ) -> None:
     """Put the command of one axle into the state: without branches, for packed arithmetic."""
-    lower, upper = state[base + BAND_LOWER], state[base + BAND_UPPER]
+    lower = threshold(state[base + LOWER_SHARE], parameters.slip_speed_lower_floor, reference)
+    upper = threshold(state[base + UPPER_SHARE], parameters.slip_speed_upper_floor, reference)
     works = reference >= parameters.inhibit_speed
     is_believed = state[base + IS_FAULTY] == 0.0
     is_protected = works & is_believed
@@ -92,3 +93,4 @@ def _protect(
     state[base + DYNAMIC_PERMITTED] = choose(is_motored, after, share)
     state[base + VALVE] = choose(state[base + IS_BRAKED] > 0.0, valve, FILL)
     request_sand(parameters, state, base, reference, dt)
+    note_signals(state, base)

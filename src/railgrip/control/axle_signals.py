@@ -29,11 +29,14 @@ from railgrip.control.conventional_state import (
     PRESSURE,
     READING,
     REFERENCE,
+    SAND,
     SLIDES,
     VALVE,
+    WRONG,
 )
 from railgrip.control.sanding_request import wants_sand
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group
+from railgrip.control.side_by_side import give, give_all, take
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 
 
 def take_setup(axle_setup: FloatArray, state: FloatArray) -> None:
@@ -46,14 +49,11 @@ def take_setup(axle_setup: FloatArray, state: FloatArray) -> None:
 
 def take_measured(state: FloatArray, measured: FloatArray) -> None:
     """Put into the state what the sensors say."""
-    n_axles = measured.shape[0]
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            axle = group * GROUP + i
-            state[base + READING] = measured[axle, WHEEL_SPEED]
-            state[base + PRESSURE] = measured[axle, CYLINDER_PRESSURE]
-            state[base + DYNAMIC] = measured[axle, DYNAMIC_FORCE]
+    for group in range(groups(measured.shape[0])):
+        base, axle = group_base(group), group * GROUP
+        take(state, base + READING, measured, axle, WHEEL_SPEED)
+        take(state, base + PRESSURE, measured, axle, CYLINDER_PRESSURE)
+        take(state, base + DYNAMIC, measured, axle, DYNAMIC_FORCE)
 
 
 def take_command(state: FloatArray, command: FloatArray) -> None:
@@ -64,30 +64,19 @@ def take_command(state: FloatArray, command: FloatArray) -> None:
         state[base + DYNAMIC_PERMITTED] = command[axle, DYNAMIC_SHARE]
 
 
+def note_signals(state: FloatArray, base: int) -> None:
+    """Put into the state what else is told of an axle: its wish for sand, what is wrong with it."""
+    state[base + SAND] = wants_sand(state, base)
+    state[base + WRONG] = axle_alarm(state, base)
+
+
 def give_command(state: FloatArray, command: FloatArray) -> None:
     """Write the command of every axle out of the state."""
-    n_axles = command.shape[0]
-    reference = state[REFERENCE]
-    # a loop for each column: of several in one LLVM packs none
-    give(state, VALVE, command, DUMP_VALVE)
-    give(state, DYNAMIC_PERMITTED, command, DYNAMIC_SHARE)
-    give(state, SLIDES, command, IS_SLIDING)
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            command[group * GROUP + i, SANDING] = wants_sand(state, base)
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            command[group * GROUP + i, ALARM] = axle_alarm(state, base)
-    for axle in range(n_axles):
-        command[axle, REFERENCE_SPEED] = reference
-
-
-def give(state: FloatArray, field: int, command: FloatArray, column: int) -> None:
-    """Write one column of the command out of the state."""
-    n_axles = command.shape[0]
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            command[group * GROUP + i, column] = state[base + field]
+    for group in range(groups(command.shape[0])):
+        base, axle = group_base(group), group * GROUP
+        give(command, axle, DUMP_VALVE, state, base + VALVE)
+        give(command, axle, DYNAMIC_SHARE, state, base + DYNAMIC_PERMITTED)
+        give(command, axle, IS_SLIDING, state, base + SLIDES)
+        give(command, axle, SANDING, state, base + SAND)
+        give(command, axle, ALARM, state, base + WRONG)
+        give_all(command, axle, REFERENCE_SPEED, state[REFERENCE])

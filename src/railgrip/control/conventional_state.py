@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from railgrip.control.state_layout import GROUP
+from railgrip.control.state_layout import GROUP, SCRATCH
 
 # The train.
 REFERENCE: Final = 0  # the train's speed as believed, m/s
@@ -19,6 +19,7 @@ SEEN_TIME: Final = 8  # time since then, s
 EXPECTED_FALL: Final = 9  # fall of the speed since then by the estimate, m/s
 FREED_AXLE: Final = 10  # 1 + the axle that is let run free, 0 for none
 FREED_TIME: Final = 11  # how long it has been free, s
+HAS_LED: Final = 12  # 1 once a wheel has led others that show the train
 
 # Each axle.
 SPEED: Final = 0 * GROUP  # wheel speed, compensated for the diameter, m/s
@@ -44,16 +45,20 @@ LEAD_CLOCK: Final = 19 * GROUP  # how long the wheel has led wheels that show th
 VOTE_CLOCK: Final = 20 * GROUP  # how long an unbraked wheel has mostly not turned faster, s
 CORRECTIONS: Final = 21 * GROUP  # corrections of the diameter by other wheels in this braking
 STRANGE_CLOCK: Final = 22 * GROUP  # how long the sensor has read what no pulling wheel shows, s
-READING: Final = 23 * GROUP  # what the sensor reads now, m/s
-PRESSURE: Final = 24 * GROUP  # in the cylinder as measured, Pa
-DYNAMIC: Final = 25 * GROUP  # dynamic brake force as measured, N
-EFFORT: Final = 26 * GROUP  # pressure that brakes as much; 0 where it tells nothing, Pa
-SHOWN_SPEED: Final = 27 * GROUP  # of a believed, unbraked wheel that shows the train, else -1, m/s
-VALVE: Final = 28 * GROUP  # dump valve as last commanded: FILL, HOLD or VENT
-DYNAMIC_PERMITTED: Final = 29 * GROUP  # share of the dynamic brake as last commanded
-BAND_LOWER: Final = 30 * GROUP  # slip speed below which the brake fills again, m/s
-BAND_UPPER: Final = 31 * GROUP  # slip speed above which it vents, m/s
-IS_BRAKED: Final = 32 * GROUP  # 1 for an axle with a friction brake
-IS_MOTORED: Final = 33 * GROUP  # 1 for an axle with a motor
-COUNTED_SPEED: Final = 34 * GROUP  # wheel speed, 0 where the sensor is not believed, m/s
-COUNTED_ACCELERATION: Final = 35 * GROUP  # likewise, m/s²
+PRESSURE: Final = 23 * GROUP  # in the cylinder as measured, Pa
+DYNAMIC: Final = 24 * GROUP  # dynamic brake force as measured, N
+VALVE: Final = 25 * GROUP  # dump valve as last commanded: FILL, HOLD or VENT
+DYNAMIC_PERMITTED: Final = 26 * GROUP  # share of the dynamic brake as last commanded
+LOWER_SHARE: Final = 27 * GROUP  # slip below which the brake fills again, share of the reference
+UPPER_SHARE: Final = 28 * GROUP  # slip above which it vents, likewise
+IS_BRAKED: Final = 29 * GROUP  # 1 for an axle with a friction brake
+IS_MOTORED: Final = 30 * GROUP  # 1 for an axle with a motor
+
+# Each axle, within a step.
+READING: Final = SCRATCH  # what the sensor reads now, m/s
+EFFORT: Final = SCRATCH + 1 * GROUP  # pressure that brakes as much; 0 where it tells nothing, Pa
+SHOWN_SPEED: Final = SCRATCH + 2 * GROUP  # of a believed wheel that shows the train, else -1, m/s
+COUNTED_SPEED: Final = SCRATCH + 3 * GROUP  # wheel speed, 0 where the sensor is not believed, m/s
+COUNTED_ACCELERATION: Final = SCRATCH + 4 * GROUP  # likewise, m/s²
+SAND: Final = SCRATCH  # 1 while the axle wants sand
+WRONG: Final = SCRATCH + 1 * GROUP  # what is wrong with it (`axle_alarm`)

@@ -15,37 +15,31 @@ from railgrip.control.conventional_parameters import (
     DEAD_TIME,
     DECELERATION_PER_PRESSURE,
     SLIP_LOWER,
-    SLIP_SPEED_LOWER_FLOOR,
-    SLIP_SPEED_UPPER_FLOOR,
     SLIP_UPPER,
     ConventionalParameters,
 )
 from railgrip.control.conventional_state import (
     ADHERED_CLOCK,
-    BAND_LOWER,
-    BAND_UPPER,
     DEAD_CLOCK,
     DIAMETER,
     DYNAMIC_PERMITTED,
     FASTEST_LAG,
     IS_FAULTY,
     LAST_READING,
+    LOWER_SHARE,
     PRESSURE_GAIN,
     REFERENCE,
     SEEN_SPEED,
     SPEED,
     SPEED_LAG,
+    UPPER_SHARE,
     WITNESS_CLOCK,
 )
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.faulty_axle import follow_neighbours
 from railgrip.control.plain_form import KernelController
-from railgrip.control.slip_band import threshold
 from railgrip.control.state_layout import (
     axle_base,
-    group_base,
-    groups,
-    in_group,
     n_places,
     state_size,
 )
@@ -71,6 +65,8 @@ def conventional_initial(
         speed = abs(reading) if -GREATEST_SPEED < reading < GREATEST_SPEED else 0.0
         fastest = max(fastest, speed)
         state[base + DIAMETER] = 1.0
+        state[base + LOWER_SHARE] = parameters[SLIP_LOWER]
+        state[base + UPPER_SHARE] = parameters[SLIP_UPPER]
         state[base + DYNAMIC_PERMITTED] = 1.0
         state[base + ADHERED_CLOCK] = LONG_AGO
         state[base + WITNESS_CLOCK] = LONG_AGO
@@ -86,17 +82,6 @@ def conventional_initial(
     state[PRESSURE_GAIN] = parameters[DECELERATION_PER_PRESSURE]
 
 
-def set_band(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
-    """Put the same two thresholds into the state for every axle."""
-    reference = state[REFERENCE]
-    lower = threshold(parameters[SLIP_LOWER], parameters[SLIP_SPEED_LOWER_FLOOR], reference)
-    upper = threshold(parameters[SLIP_UPPER], parameters[SLIP_SPEED_UPPER_FLOOR], reference)
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            state[group_base(group) + i + BAND_LOWER] = lower
-            state[group_base(group) + i + BAND_UPPER] = upper
-
-
 def conventional_kernel(
     parameters: FloatArray,
     axle_setup: FloatArray,
@@ -108,7 +93,6 @@ def conventional_kernel(
     """Advance the WSP by one period; arguments as in the controller contract."""
     observe_train(parameters, state, measured, parameters[SLIP_LOWER], dt)
     learn_diameters(parameters, state, measured, dt)
-    set_band(parameters, state, measured.shape[0])
     protect_axles(parameters, state, command, dt)
     follow_neighbours(axle_setup, state, measured, command)
 

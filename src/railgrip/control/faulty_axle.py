@@ -29,7 +29,8 @@ from railgrip.control.contract import (
 )
 from railgrip.control.conventional_state import FREED_AXLE, IS_FAULTY, SLIDES
 from railgrip.control.lone_leader import runs_free
-from railgrip.control.state_layout import axle_base, group_base, groups, in_group
+from railgrip.control.side_by_side import count_equal
+from railgrip.control.state_layout import axle_base, group_base, groups, n_places
 
 CAUTION: Final = 0.75
 """A follower behind a sliding neighbour takes no more than this share of its pressure: it does not
@@ -88,11 +89,9 @@ def follow_neighbours(
 
 def count_faulty(state: FloatArray, n_axles: int) -> int:
     """Return how many axles have a sensor that is not believed."""
-    n_faulty = 0
+    n_faulty = n_axles - n_places(n_axles)  # empty places count as faulty
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            n_faulty += state[base + IS_FAULTY] > 0.0
+        n_faulty += count_equal(state, group_base(group) + IS_FAULTY, 1.0)
     return n_faulty
 
 

@@ -20,6 +20,7 @@ from railgrip.control.slip_ranges import (
     check_bands,
     observe_in_ranges,
     protect_in_ranges,
+    set_bands,
 )
 from railgrip.control.state_layout import axle_base, state_size
 from railgrip.core.errors import Problem, RailgripError
@@ -76,6 +77,7 @@ def fixed_initial(
     n_axles = measured.shape[0]
     for axle in range(n_axles):
         state[axle_base(axle) + RANGE] = range_in(parameters[N_RANGED], axle, n_axles)
+    set_bands(parameters, state, n_axles)
 
 
 def fixed_kernel(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from railgrip.control.contract import FloatArray
 from railgrip.control.conventional_parameters import DECELERATION_PER_PRESSURE
-from railgrip.control.conventional_state import DECELERATION, IS_FAULTY, OFFSET, PRESSURE_GAIN
+from railgrip.control.conventional_state import DECELERATION, OFFSET, PRESSURE_GAIN
 from railgrip.control.deceleration_estimate import (
     GREATEST_DECELERATION,
     GREATEST_OFFSET,
@@ -16,8 +16,9 @@ from railgrip.control.deceleration_estimate import (
 )
 from railgrip.control.free_axle import free_an_axle
 from railgrip.control.reference_speed import advance_reference
-from railgrip.control.state_layout import axle_base
-from railgrip.control.temperature_state import FRICTION, LOAD
+from railgrip.control.side_by_side import total
+from railgrip.control.state_layout import group_base, groups
+from railgrip.control.temperature_state import COUNTED_FRICTION, COUNTED_LOAD
 from railgrip.control.train_observer import Wheels
 from railgrip.core.constants import GRAVITY
 
@@ -53,14 +54,12 @@ def reckon_with_forces(
     """
     force = 0.0
     load = 0.0
-    for axle in range(n_axles):
-        base = axle_base(axle)
-        is_valid = state[base + IS_FAULTY] == 0.0
-        force -= state[base + FRICTION] if is_valid else 0.0
-        load += state[base + LOAD] if is_valid else 0.0
+    for group in range(groups(n_axles)):
+        force -= total(state, group_base(group) + COUNTED_FRICTION)
+        load += total(state, group_base(group) + COUNTED_LOAD)
     by_forces = force * GRAVITY / load if load > 0.0 else 0.0
     # in the terms of the ordinary gain, so that it learns and bounds as it does there
-    effort = by_forces / parameters[DECELERATION_PER_PRESSURE]
+    effort = by_forces * (1.0 / parameters[DECELERATION_PER_PRESSURE])
     deceleration = state[PRESSURE_GAIN] * effort + state[OFFSET]
     state[DECELERATION] = max(-GREATEST_OFFSET, min(GREATEST_DECELERATION, deceleration))
     free_an_axle(parameters, state, n_axles, wheels.is_witnessed, slip_lower, dt)

@@ -45,8 +45,9 @@ from railgrip.control.adaptive_state import (
     TELLS,
 )
 from railgrip.control.contract import MICRO, FloatArray
+from railgrip.control.side_by_side import count_equal
 from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 from railgrip.core.formulas.choosing import choose
 
 OBSERVED_AFTER: Final = 0.3
@@ -204,10 +205,8 @@ def _sum_up(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     n_macro = 0
     n_micro = 0
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            n_macro += state[base + IN_MACRO] > 0.0
-            n_micro += state[base + IN_MICRO] > 0.0
+        n_macro += count_equal(state, group_base(group) + IN_MACRO, 1.0)
+        n_micro += count_equal(state, group_base(group) + IN_MICRO, 1.0)
     state[N_MACRO] = n_macro
     state[N_MICRO] = n_micro
     if parameters[RULE] != LOOKOUT:

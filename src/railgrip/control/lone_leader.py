@@ -15,16 +15,21 @@ from __future__ import annotations
 from typing import Final
 
 from railgrip.control.contract import BRAKE_DEMAND, FloatArray
+from railgrip.control.conventional_parameters import DEAD_TIME
 from railgrip.control.conventional_state import (
     CORRECTIONS,
+    DEAD_CLOCK,
     DIAMETER,
+    HAS_LED,
     IS_FAULTY,
     LEAD_CLOCK,
+    READING,
     SPEED,
     SPEED_LAG,
     VOTE_CLOCK,
 )
 from railgrip.control.state_layout import axle_base
+from railgrip.control.wheel_speed import GREATEST_SPEED
 
 AGREE_SHARE: Final = 0.005
 AGREE_FLOOR: Final = 0.1
@@ -77,12 +82,30 @@ def outvote_leader(state: FloatArray, measured: FloatArray, leader: int, dt: flo
     base = axle_base(leader)
     leads = second > apart and best - second < apart and state[base + SPEED] - best > apart
     if leads and measured[leader, BRAKE_DEMAND] > 0.0:
+        state[HAS_LED] = 1.0
         state[base + LEAD_CLOCK] += dt
         if state[base + LEAD_CLOCK] > OUTVOTED_AFTER:
             # it may slide a little itself, so a little more than it shows
             _correct_or_drop(state, base, (1.0 - AGREE_SHARE) * best / state[base + SPEED])
             return best
     return -1.0
+
+
+def keep_dropped(
+    parameters: FloatArray, state: FloatArray, n_axles: int, is_braking: bool, dt: float
+) -> None:
+    """Let axles that other wheels have outvoted stay so until the brake is released."""
+    for axle in range(n_axles):
+        base = axle_base(axle)
+        if abs(state[base + READING]) < GREATEST_SPEED:
+            clock = state[base + LEAD_CLOCK] if is_braking else 0.0
+            if clock > OUTVOTED_AFTER:
+                clock += dt
+                state[base + IS_FAULTY] = 1.0
+                state[base + DEAD_CLOCK] = parameters[DEAD_TIME]
+            state[base + LEAD_CLOCK] = clock
+            if not is_braking:
+                state[base + CORRECTIONS] = 0.0
 
 
 def _correct_or_drop(state: FloatArray, base: int, ratio: float) -> None:

@@ -40,8 +40,8 @@ def follow_pressure(
     A valve acts late, so what has been commanded and not yet felt is remembered and counted in:
     without that every pulse would be given several times over.
     """
-    filling = max(supply - pressure, 0.0) / parameters.fill_time * dt
-    venting = pressure / parameters.vent_time * dt
+    filling = max(supply - pressure, 0.0) * (dt / parameters.fill_time)
+    venting = pressure * (dt / parameters.vent_time)
     felt = state[base + FLIGHT] * (1.0 - min(1.0, dt / parameters.valve_delay))
     missing = wanted - pressure - felt
     fills = missing > parameters.pressure_band

@@ -8,22 +8,19 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from railgrip.control.adaptive_state import RANGE
+from railgrip.control.adaptive_state import ACCURACY, HAVE_CHANGED, RANGE
 from railgrip.control.axle_protection import protect_axles
-from railgrip.control.axle_signals import give
 from railgrip.control.contract import MICRO, MIDDLE, SLIP_RANGE, FloatArray
 from railgrip.control.conventional_parameters import (
     SLIP_LOWER,
-    SLIP_SPEED_LOWER_FLOOR,
-    SLIP_SPEED_UPPER_FLOOR,
     SLIP_UPPER,
     ConventionalParameters,
 )
-from railgrip.control.conventional_state import BAND_LOWER, BAND_UPPER, REFERENCE
+from railgrip.control.conventional_state import LOWER_SHARE, UPPER_SHARE
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.faulty_axle import follow_neighbours
-from railgrip.control.slip_band import threshold
-from railgrip.control.state_layout import group_base, groups, in_group
+from railgrip.control.side_by_side import count_equal, give
+from railgrip.control.state_layout import GROUP, group_base, groups
 from railgrip.control.train_observer import observe_train
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.core.formulas.choosing import choose
@@ -56,6 +53,38 @@ N_RANGED: Final = N_CONVENTIONAL + len(RangeBands._fields)
 """Where the parameters of a controller that builds on this one begin."""
 
 
+def set_bands(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
+    """Put into the state the band of every axle, by its range, and how exact the narrowest is.
+
+    Parameters
+    ----------
+    parameters, state : ndarray
+        With the ordinary WSP's, then those of `RangeBands`; as in the controller contract.
+    n_axles : int
+        Number of axles.
+    """
+    n_micro = 0
+    n_middle = 0
+    for group in range(groups(n_axles)):
+        first = group_base(group)
+        n_micro += count_equal(state, first + RANGE, MICRO)
+        n_middle += count_equal(state, first + RANGE, MIDDLE)
+        for base in range(first, first + GROUP):
+            is_middle = state[base + RANGE] == MIDDLE
+            is_micro = state[base + RANGE] == MICRO
+            lower = choose(is_middle, parameters[MIDDLE_LOWER], parameters[SLIP_LOWER])
+            upper = choose(is_middle, parameters[MIDDLE_UPPER], parameters[SLIP_UPPER])
+            state[base + LOWER_SHARE] = choose(is_micro, parameters[MICRO_LOWER], lower)
+            state[base + UPPER_SHARE] = choose(is_micro, parameters[MICRO_UPPER], upper)
+    accuracy = parameters[SLIP_LOWER]
+    if n_micro > 0:
+        accuracy = min(accuracy, parameters[MICRO_LOWER])
+    if n_middle > 0:
+        accuracy = min(accuracy, parameters[MIDDLE_LOWER])
+    state[ACCURACY] = accuracy
+    state[HAVE_CHANGED] = 0.0
+
+
 def observe_in_ranges(
     parameters: FloatArray,
     state: FloatArray,
@@ -63,20 +92,7 @@ def observe_in_ranges(
     dt: float,
 ) -> None:
     """Update wheels and reference speed, as exactly as the narrowest range in use needs."""
-    n_axles = measured.shape[0]
-    n_micro = 0
-    n_middle = 0
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            slip_range = state[group_base(group) + i + RANGE]
-            n_micro += slip_range == MICRO
-            n_middle += slip_range == MIDDLE
-    slip_lower = parameters[SLIP_LOWER]
-    if n_micro > 0:
-        slip_lower = min(slip_lower, parameters[MICRO_LOWER])
-    if n_middle > 0:
-        slip_lower = min(slip_lower, parameters[MIDDLE_LOWER])
-    observe_train(parameters, state, measured, slip_lower, dt)
+    observe_train(parameters, state, measured, state[ACCURACY], dt)
     learn_diameters(parameters, state, measured, dt)
 
 
@@ -89,28 +105,15 @@ def protect_in_ranges(
     dt: float,
 ) -> None:
     """Write the command of every axle, each by the thresholds of its own range."""
-    n_axles = measured.shape[0]
-    reference = state[REFERENCE]
-    lower_floor = parameters[SLIP_SPEED_LOWER_FLOOR]
-    upper_floor = parameters[SLIP_SPEED_UPPER_FLOOR]
-    macro_lower = threshold(parameters[SLIP_LOWER], lower_floor, reference)
-    macro_upper = threshold(parameters[SLIP_UPPER], upper_floor, reference)
-    micro_lower = threshold(parameters[MICRO_LOWER], lower_floor, reference)
-    micro_upper = threshold(parameters[MICRO_UPPER], upper_floor, reference)
-    middle_lower = threshold(parameters[MIDDLE_LOWER], lower_floor, reference)
-    middle_upper = threshold(parameters[MIDDLE_UPPER], upper_floor, reference)
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            is_middle = state[base + RANGE] == MIDDLE
-            is_micro = state[base + RANGE] == MICRO
-            lower = choose(is_middle, middle_lower, macro_lower)
-            upper = choose(is_middle, middle_upper, macro_upper)
-            state[base + BAND_LOWER] = choose(is_micro, micro_lower, lower)
-            state[base + BAND_UPPER] = choose(is_micro, micro_upper, upper)
     protect_axles(parameters, state, command, dt)
-    give(state, RANGE, command, SLIP_RANGE)
+    give_ranges(state, command)
     follow_neighbours(axle_setup, state, measured, command)
+
+
+def give_ranges(state: FloatArray, command: FloatArray) -> None:
+    """Write the range of slip of every axle."""
+    for group in range(groups(command.shape[0])):
+        give(command, group * GROUP, SLIP_RANGE, state, group_base(group) + RANGE)
 
 
 def check_bands(parameters: ConventionalParameters, lower: RangeBands) -> None:

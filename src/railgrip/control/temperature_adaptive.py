@@ -13,15 +13,14 @@ from typing import Any, Final, NamedTuple
 
 from railgrip.control.adaptive_parameters import LEAD_AXLES, Supervision, check_supervision
 from railgrip.control.adaptive_round import begin_supervision, time_to_look
+from railgrip.control.adaptive_state import ACCURACY as NEEDED
 from railgrip.control.adaptive_state import FACTOR as SIGNAL_FACTOR
-from railgrip.control.adaptive_state import RANGE, STATE
+from railgrip.control.adaptive_state import HAVE_CHANGED, RANGE, STATE
 from railgrip.control.adaptive_supervisor import supervise
 from railgrip.control.axle_protection import freed_place
-from railgrip.control.axle_signals import give
 from railgrip.control.contract import (
     MICRO,
     MIDDLE,
-    SLIP_RANGE,
     WSP_STATE,
     FloatArray,
 )
@@ -40,8 +39,9 @@ from railgrip.control.driving_reference import is_driving
 from railgrip.control.force_weighing import OBSERVED_AFTER, add_up, weigh_axle, weighing
 from railgrip.control.parameter_sets import joined
 from railgrip.control.plain_form import KernelController
-from railgrip.control.slip_ranges import N_RANGED
-from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, in_group, state_size
+from railgrip.control.side_by_side import count_equal
+from railgrip.control.slip_ranges import N_RANGED, give_ranges
+from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, state_size
 from railgrip.control.temperature_controlled import (
     check_temperature,
     follow_believed,
@@ -99,6 +99,7 @@ def temperature_adaptive_initial(
     for axle in range(n_axles):
         state[axle_base(axle) + SIGNAL_FACTOR] = 1.0
     begin_supervision(supervision, state, n_axles, supervision[LEAD_AXLES])
+    limit_slips(parameters, state, n_axles)
 
 
 def weigh_forces(
@@ -123,25 +124,22 @@ def weigh_forces(
 
 
 def limit_slips(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
-    """Put into the state the slip that every axle is led to at most, by its range."""
-    in_macro, in_middle = parameters[GREATEST_SLIP], parameters[MIDDLE_SLIP]
-    in_micro = parameters[MICRO_SLIP]
-    for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            limit = choose(state[base + RANGE] == MIDDLE, in_middle, in_macro)
-            state[base + SLIP_LIMIT] = choose(state[base + RANGE] == MICRO, in_micro, limit)
+    """Put into the state the slip that every axle is led to at most, by its range.
 
-
-def accuracy_needed(parameters: FloatArray, state: FloatArray, n_axles: int) -> float:
-    """Return how exactly the train speed must be known, as a slip."""
+    And how exactly the train speed must be known for the narrowest in use.
+    """
     n_micro = 0
     for group in range(groups(n_axles)):
-        for i in range(in_group(group, n_axles)):
-            base = group_base(group) + i
-            n_micro += state[base + RANGE] == MICRO
-    accuracy: float = parameters[ACCURACY]
-    return min(accuracy, parameters[MICRO_ACCURACY]) if n_micro > 0 else accuracy
+        first = group_base(group)
+        n_micro += count_equal(state, first + RANGE, MICRO)
+        for base in range(first, first + GROUP):
+            is_middle = state[base + RANGE] == MIDDLE
+            limit = choose(is_middle, parameters[MIDDLE_SLIP], parameters[GREATEST_SLIP])
+            is_micro = state[base + RANGE] == MICRO
+            state[base + SLIP_LIMIT] = choose(is_micro, parameters[MICRO_SLIP], limit)
+    accuracy = parameters[ACCURACY]
+    state[NEEDED] = min(accuracy, parameters[MICRO_ACCURACY]) if n_micro > 0 else accuracy
+    state[HAVE_CHANGED] = 0.0
 
 
 def temperature_adaptive_kernel(
@@ -154,8 +152,7 @@ def temperature_adaptive_kernel(
 ) -> None:
     """Advance the control by one period; arguments as in the controller contract."""
     n_axles = measured.shape[0]
-    accuracy = accuracy_needed(parameters, state, n_axles)
-    observe_forces(parameters, axle_setup, state, measured, accuracy, dt)
+    observe_forces(parameters, axle_setup, state, measured, state[NEEDED], dt)
     supervision = parameters[SUPERVISION:]
     look = time_to_look(supervision, state, dt)
     if look > 0.0:
@@ -163,9 +160,10 @@ def temperature_adaptive_kernel(
         weigh_forces(supervision, state, n_axles, sign, look)
         command[0, WSP_STATE] = state[STATE]
         supervise(supervision, state, n_axles, look)
-    limit_slips(parameters, state, n_axles)
+        if state[HAVE_CHANGED] > 0.0:
+            limit_slips(parameters, state, n_axles)
     lead_axles(parameters, axle_setup, state, measured, command, dt)
-    give(state, RANGE, command, SLIP_RANGE)
+    give_ranges(state, command)
     follow_believed(axle_setup, state, measured, command)
 
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from railgrip.control.axle_alarm import axle_alarm
 from railgrip.control.axle_forces import motor_force, pressure_for
 from railgrip.control.axle_protection import freed_place
-from railgrip.control.axle_signals import give, give_command
+from railgrip.control.axle_signals import give_command, note_signals
 from railgrip.control.contract import (
     ALARM,
     DRIVE_DEMAND,
@@ -26,14 +24,12 @@ from railgrip.control.contract import (
 )
 from railgrip.control.conventional_parameters import ConventionalParameters, conventional_of
 from railgrip.control.conventional_state import (
-    ACCELERATION,
     DYNAMIC,
     DYNAMIC_PERMITTED,
     IS_BRAKED,
     IS_FAULTY,
     IS_MOTORED,
     PRESSURE,
-    REFERENCE,
     SLIDES,
     SPEED,
     VALVE,
@@ -41,108 +37,24 @@ from railgrip.control.conventional_state import (
 from railgrip.control.pressure_following import follow_pressure
 from railgrip.control.safety_timer import watch_release
 from railgrip.control.sanding_request import request_sand
-from railgrip.control.slip_band import note_slide, threshold
+from railgrip.control.side_by_side import give
+from railgrip.control.slip_band import note_slide
 from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
+from railgrip.control.temperature_aim import Moment, aim, moment
 from railgrip.control.temperature_parameters import TemperatureOnly, temperature_of
 from railgrip.control.temperature_state import (
     BRAKE_FORCE,
     CONTINUOUS_BRAKE,
     EFFORT_OF_MOTOR,
-    FACTOR,
     FORCE_TARGET,
-    FRICTION,
     FRICTION_PERMITTED,
-    FRICTION_SPEED,
     FULL,
-    LOAD,
-    MASS,
-    MOVING,
     POWER_OF_MOTOR,
-    POWER_TARGET,
-    SLIP,
-    SLIP_LIMIT,
-    SLIP_TARGET,
-    STILL,
-    TRAIN_ACCELERATION,
-)
-from railgrip.control.temperature_targets import (
-    admissible_power,
-    force_target,
-    friction_speed,
-    signed_slip,
-    slip_target,
 )
 from railgrip.core.formulas.choosing import choose
 
-SLIDE_SHARE, SLIDE_FLOOR = 0.01, 0.15
-"""A wheel slower than the train by more than this share, or this, m/s, slides."""
 LIMITED = 0.999
 """Share of the demand below which a force counts as limited."""
-
-
-class Moment(NamedTuple):
-    """What is the same for all axles in one step.
-
-    Parameters
-    ----------
-    reference, acceleration : float
-        Reference speed [m/s] and acceleration of the train, signed [m/s²].
-    factor : float
-        On the admissible rises.
-    demand : float
-        Of the brake, 0..1.
-    lower : float
-        Slip speed beyond which a wheel slides, [m/s].
-    """
-
-    reference: float
-    acceleration: float
-    factor: float
-    demand: float
-    lower: float
-
-
-def moment(state: FloatArray, demand: float) -> Moment:
-    """Return what is the same for all axles."""
-    reference = state[REFERENCE]
-    return Moment(
-        reference=reference,
-        acceleration=state[TRAIN_ACCELERATION],
-        factor=state[FACTOR],
-        demand=demand,
-        lower=threshold(SLIDE_SHARE, SLIDE_FLOOR, reference),
-    )
-
-
-def aim(
-    parameters: TemperatureOnly, now: Moment, state: FloatArray, base: int, demand: float,
-    whole: float, is_continuous: bool, is_protected: bool,
-) -> float:  # fmt: skip
-    """Return F*, signed, and leave all that it was reckoned from in the state, [N].
-
-    An axle that is not protected leaves nothing there.
-    """
-    wheel = state[base + SPEED]
-    fastest = max(wheel, now.reference)
-    slip = signed_slip(parameters, wheel, now.reference)
-    relative = state[base + ACCELERATION] - now.acceleration
-    lead = parameters.valve_lead * relative / max(fastest, parameters.least_speed)
-    foreseen = choose(is_continuous, slip, slip + lead)
-    power = admissible_power(
-        parameters, state[base + STILL], state[base + MOVING], wheel, now.reference, now.factor
-    )
-    speed = friction_speed(parameters, power, state[base + FRICTION], state[base + LOAD])
-    sign = choose(demand > 0.0, 1.0, -1.0)
-    wanted = slip_target(parameters, speed, fastest, state[base + SLIP_LIMIT], sign)
-    state[base + SLIP] = choose(is_protected, slip, state[base + SLIP])
-    state[base + POWER_TARGET] = choose(is_protected, power, state[base + POWER_TARGET])
-    state[base + FRICTION_SPEED] = choose(is_protected, speed, state[base + FRICTION_SPEED])
-    state[base + SLIP_TARGET] = choose(is_protected, wanted, state[base + SLIP_TARGET])
-    excess = choose(is_continuous, parameters.excess_gain, parameters.valve_excess_gain)
-    return force_target(
-        parameters, foreseen, wanted, state[base + FRICTION], now.acceleration,
-        state[base + MASS], whole, excess, demand, fastest,
-    )  # fmt: skip
 
 
 def drive_axle(
@@ -161,7 +73,7 @@ def drive_axle(
     share = 1.0
     state[base + FORCE_TARGET] = demand
     if demand > 0.0 and state[base + IS_FAULTY] == 0.0:
-        force = aim(own, now, state, base, demand, effort, True, True)
+        force = aim(own, now, state, base, demand, effort, True).force
         state[base + FORCE_TARGET] = force
         share = min(1.0, force / demand)
     command[axle, DYNAMIC_SHARE] = share
@@ -186,19 +98,19 @@ def brake_axles(
     own = temperature_of(parameters)
     now = moment(state, demand)
     freed = freed_place(state)
+    # three short passes: what a longer one needs of parameters has no room in the registers
     for group in range(groups(n_axles)):
-        # three short passes: of a long one the processor holds only one step at a time
         for i in range(GROUP):
             base = group_base(group) + i
             _aim_at(ordinary, own, now, state, base, base == freed)
+    for group in range(groups(n_axles)):
         for i in range(GROUP):
-            base = group_base(group) + i
-            _watch(ordinary, now, state, base, dt)
+            _watch(ordinary, now, state, group_base(group) + i, dt)
+    for group in range(groups(n_axles)):
         for i in range(GROUP):
-            base = group_base(group) + i
-            _apply(own, now, state, base, dt)
+            _apply(own, now, state, group_base(group) + i, dt)
+        give(command, group * GROUP, FRICTION_SHARE, state, group_base(group) + FRICTION_PERMITTED)
     give_command(state, command)
-    give(state, FRICTION_PERMITTED, command, FRICTION_SHARE)
 
 
 def _aim_at(
@@ -206,13 +118,13 @@ def _aim_at(
     base: int, is_freed: bool,
 ) -> None:  # fmt: skip
     """Put into the state the force that one axle is led with, as the temperature allows."""
-    whole = state[base + BRAKE_FORCE]
-    asked = now.demand * whole
+    asked = now.demand * state[base + BRAKE_FORCE]
     works = (now.reference >= ordinary.inhibit_speed) & (asked > 0.0)
     is_protected = works & (state[base + IS_FAULTY] == 0.0)
     is_continuous = state[base + CONTINUOUS_BRAKE] > 0.0
-    aimed = aim(parameters, now, state, base, -asked, whole, is_continuous, is_protected)
-    state[base + FORCE_TARGET] = choose(is_protected, choose(is_freed, 0.0, aimed), -asked)
+    aimed = aim(parameters, now, state, base, -asked, state[base + BRAKE_FORCE], is_continuous)
+    force = choose(is_freed, 0.0, aimed.force)
+    state[base + FORCE_TARGET] = choose(is_protected, force, -asked)
 
 
 def _watch(
@@ -254,6 +166,7 @@ def _apply(
         parameters, state, base, is_limited & (not has_no_valve), state[base + PRESSURE],
         pressure_for(state, base, rest), state[base + FULL] * now.demand, dt,
     )  # fmt: skip
+    note_signals(state, base)
 
 
 def _share_of(whole: float, force: float) -> float:

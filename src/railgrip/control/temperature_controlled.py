@@ -62,6 +62,7 @@ from railgrip.control.temperature_state import (
     MOVING,
     N_WINDOW,
     POWER_OF_MOTOR,
+    PRESSURE_PER_FORCE,
     SAMPLE,
     SLIP_LIMIT,
     STILL,
@@ -83,6 +84,9 @@ def temperature_initial(
     along, across = parameters[SEMI_AXIS_ALONG], parameters[SEMI_AXIS_ACROSS]
     still = flash_conductance(STEEL_ERTZ_2002, along, across, 0.0)
     moving = flash_conductance(STEEL_ERTZ_2002, along, across, 1.0)
+    state[STILL] = still * still
+    # a patch grows with the load^(1/3), so what moving steel takes up grows with its root
+    state[MOVING] = (moving * moving - still * still) / parameters[PATCH_LOAD]
     for axle in range(n_axles):
         base = axle_base(axle)
         load = axle_setup[axle, AXLE_LOAD]
@@ -94,10 +98,9 @@ def temperature_initial(
         if mass <= 0.0:
             force = parameters[NOMINAL_DECELERATION] * load / GRAVITY
         state[base + BRAKE_FORCE] = force
-        state[base + STILL] = still * still
-        # a patch grows with the load^(1/3), so what moving steel takes up grows with its root
-        state[base + MOVING] = (moving * moving - still * still) * load / parameters[PATCH_LOAD]
-        state[base + FORCE_PER_PRESSURE] = force_per_pressure(axle_setup, axle, force)
+        per_pressure = force_per_pressure(axle_setup, axle, force)
+        state[base + FORCE_PER_PRESSURE] = per_pressure
+        state[base + PRESSURE_PER_FORCE] = 1.0 / per_pressure if per_pressure > 0.0 else 0.0
         state[base + FIRST], state[base + FULL] = pressures(axle_setup, axle)
         state[base + CONTINUOUS_BRAKE] = axle_setup[axle, CONTINUOUS]
         state[base + EFFORT_OF_MOTOR] = axle_setup[axle, BRAKING_EFFORT]

@@ -61,17 +61,27 @@ def admissible_power(
     return choose(parameters.heat_law == LINEAR, linear, physical)
 
 
-def signed_slip(parameters: TemperatureOnly, wheel: float, train: float) -> float:
-    """Return s* = (wheel − train)/max(wheel, train), f4.
+def per_fastest(parameters: TemperatureOnly, wheel: float, train: float) -> float:
+    """Return one over the larger of wheel and train speed, which is floored, [s/m].
 
     Examples
     --------
     >>> from railgrip.control.temperature_parameters import TemperatureOnly
-    >>> signed_slip(TemperatureOnly(), 18.0, 20.0)
+    >>> per_fastest(TemperatureOnly(), 18.0, 20.0)
+    0.05
+    """
+    return 1.0 / max(max(wheel, train), parameters.least_speed)
+
+
+def signed_slip(wheel: float, train: float, per_fastest: float) -> float:
+    """Return s* = (wheel − train)/max(wheel, train), f4.
+
+    Examples
+    --------
+    >>> signed_slip(18.0, 20.0, 1.0 / 20.0)
     -0.1
     """
-    slip: float = (wheel - train) / max(max(wheel, train), parameters.least_speed)
-    return slip
+    return (wheel - train) * per_fastest
 
 
 def friction_speed(
@@ -89,21 +99,17 @@ def friction_speed(
     return speed
 
 
-def slip_target(
-    parameters: TemperatureOnly, speed: float, fastest: float, greatest: float, sign: float
-) -> float:
+def slip_target(speed: float, per_fastest: float, greatest: float, sign: float) -> float:
     """Return s_soll out of the friction speed (f5), with the sign of the demand.
 
     It is never beyond ``greatest``.
 
     Examples
     --------
-    >>> from railgrip.control.temperature_parameters import TemperatureOnly
-    >>> slip_target(TemperatureOnly(), 2.0, 20.0, 0.25, -1.0)
+    >>> slip_target(2.0, 1.0 / 20.0, 0.25, -1.0)
     -0.1
     """
-    share: float = min(speed / max(fastest, parameters.least_speed), greatest)
-    return sign * share
+    return sign * min(speed * per_fastest, greatest)
 
 
 def force_target(
@@ -153,8 +159,8 @@ def force_target(
     >>> round(force_target(settled, -0.1, -0.1, -6e3, -0.5, 1000.0, 15e3, 1.0, -15e3, 20.0))
     -6450
     """
-    pace = max(fastest, parameters.least_speed) / parameters.gain_speed
-    gain = whole_force / parameters.slip_scale * min(pace, 1.0)
+    pace = max(fastest, parameters.least_speed) * (1.0 / parameters.gain_speed)
+    gain = whole_force * (1.0 / parameters.slip_scale) * min(pace, 1.0)
     error = wanted - slip
     gain = choose(abs(slip) > abs(wanted), gain * excess_gain, gain)
     force: float = gain * error + mass * (1.0 - min(abs(slip), 1.0)) * train_acceleration + friction

@@ -35,7 +35,7 @@ from railgrip.control.contract import (
 )
 from railgrip.control.conventional_parameters import ROTATING_SHARE, SLIP_LOWER, conventional_of
 from railgrip.control.conventional_state import DECELERATION, IS_FAULTY, REFERENCE, SLIDES, SPEED
-from railgrip.control.conventional_wsp import conventional_initial, set_band
+from railgrip.control.conventional_wsp import conventional_initial
 from railgrip.control.diameter_compensation import learn_diameters
 from railgrip.control.driven_faults import drive_as_neighbours, watch_driven_sensors
 from railgrip.control.driving_sights import know_train_speed
@@ -193,7 +193,6 @@ def brake_conventionally(
     observe_train(parameters, state, measured, parameters[SLIP_LOWER], dt)
     learn_diameters(parameters, state, measured, dt)
     n_axles = measured.shape[0]
-    set_band(parameters, state, n_axles)
     take_command(state, command)
     protect_axles(parameters, state, command, dt)
     for axle in range(n_axles):

@@ -13,6 +13,7 @@ from railgrip.control.conventional_state import (
     COUNTED_SPEED,
     DYNAMIC,
     EFFORT,
+    HAS_LED,
     IS_FAULTY,
     PRESSURE,
     REFERENCE,
@@ -25,8 +26,9 @@ from railgrip.control.conventional_state import (
 )
 from railgrip.control.deceleration_estimate import estimate_deceleration, learn_pressure_gain
 from railgrip.control.free_axle import free_an_axle
-from railgrip.control.lone_leader import VOTES_AFTER, VOTES_AT_MOST, outvote_leader
+from railgrip.control.lone_leader import VOTES_AFTER, VOTES_AT_MOST, keep_dropped, outvote_leader
 from railgrip.control.reference_speed import advance_reference
+from railgrip.control.side_by_side import count_above, count_equal, greatest, total
 from railgrip.control.state_layout import GROUP, axle_base, group_base, groups
 from railgrip.control.wheel_speed import read_wheel
 from railgrip.core.formulas.choosing import choose
@@ -100,8 +102,10 @@ def look_at_wheels(
     """Update the wheels in the state and return what they show; arguments as above."""
     n_axles = measured.shape[0]
     take_measured(state, measured)
-    is_braking = measured[0, BRAKE_DEMAND] > 0.0
-    counts = _read_wheels(parameters, state, n_axles, slip_lower, is_braking, dt)
+    if state[HAS_LED] > 0.0:
+        keep_dropped(parameters, state, n_axles, measured[0, BRAKE_DEMAND] > 0.0, dt)
+    _read_wheels(parameters, state, n_axles, slip_lower, dt)
+    counts = _count_wheels(state, n_axles)
     sums = _sum_up(state, n_axles, counts.valid)
     seen = sums.seen
     if counts.voters >= ENOUGH_WITNESSES and sums.fastest > 0.0:
@@ -128,34 +132,36 @@ def _read_wheels(
     state: FloatArray,
     n_axles: int,
     slip_lower: float,
-    is_braking: bool,
     dt: float,
-) -> Counts:
-    """Update every wheel in the state, several at a time, and count."""
+) -> None:
+    """Update every wheel in the state, several at a time."""
     own = conventional_of(parameters)
     reference = state[REFERENCE]
     near = max(WITNESS_FLOOR, reference * min(slip_lower, WITNESS_SLIP))
     is_fast = reference > own.dead_reference
+    for group in range(groups(n_axles)):
+        for i in range(GROUP):
+            base = group_base(group) + i
+            read_wheel(own, state, base, is_fast, dt)
+            _weigh_effort(own, state, base, reference)
+            _settle(own, state, base, dt)
+            _stay_near(state, base, reference, near, dt)
+            _count_in(state, base, state[base + IS_FAULTY] == 0.0)
+
+
+def _count_wheels(state: FloatArray, n_axles: int) -> Counts:
+    """Count the wheels when all have been read."""
     n_valid = 0
     n_witnesses = 0
     n_sliding = 0
     n_voters = 0
     for group in range(groups(n_axles)):
-        for i in range(GROUP):
-            base = group_base(group) + i
-            read_wheel(own, state, base, is_braking, is_fast, dt)
-            _weigh_effort(own, state, base, reference)
-            _settle(own, state, base, dt)
-            _stay_near(state, base, reference, near, dt)
-            is_valid = state[base + IS_FAULTY] == 0.0
-            _count_in(state, base, is_valid)
-            n_valid += is_valid
-            is_witness = state[base + WITNESS_CLOCK] > WITNESS_AFTER
-            slides = state[base + SLIDES] > 0.0
-            votes = state[base + VOTE_CLOCK] > VOTES_AFTER
-            n_witnesses += is_valid & is_witness
-            n_sliding += is_valid & slides
-            n_voters += is_valid & votes
+        first = group_base(group)
+        is_faulty = first + IS_FAULTY
+        n_valid += count_equal(state, is_faulty, 0.0)
+        n_witnesses += count_above(state, first + WITNESS_CLOCK, WITNESS_AFTER, is_faulty)
+        n_sliding += count_above(state, first + SLIDES, 0.0, is_faulty)
+        n_voters += count_above(state, first + VOTE_CLOCK, VOTES_AFTER, is_faulty)
     return Counts(n_valid, n_witnesses, n_sliding, n_voters)
 
 
@@ -175,12 +181,10 @@ def _sum_up(state: FloatArray, n_axles: int, n_valid: int) -> Sums:
     effort = 0.0
     acceleration = 0.0
     for group in range(groups(n_axles)):
-        for i in range(GROUP):
-            base = group_base(group) + i
-            fastest = max(fastest, state[base + COUNTED_SPEED])
-            seen = max(seen, state[base + SHOWN_SPEED])
-            effort += state[base + EFFORT]
-            acceleration += state[base + COUNTED_ACCELERATION]
+        fastest = max(fastest, greatest(state, group_base(group) + COUNTED_SPEED))
+        seen = max(seen, greatest(state, group_base(group) + SHOWN_SPEED))
+        effort += total(state, group_base(group) + EFFORT)
+        acceleration += total(state, group_base(group) + COUNTED_ACCELERATION)
     if seen < max(FREE_SHARE * fastest, LOCKED_SHARE * state[REFERENCE]):
         seen = -1.0
     if n_valid > 0:

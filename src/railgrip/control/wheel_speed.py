@@ -12,7 +12,6 @@ from railgrip.control.contract import FloatArray
 from railgrip.control.conventional_parameters import ConventionalParameters
 from railgrip.control.conventional_state import (
     ACCELERATION,
-    CORRECTIONS,
     DEAD_CLOCK,
     DIAMETER,
     DYNAMIC,
@@ -20,14 +19,12 @@ from railgrip.control.conventional_state import (
     IS_FAULTY,
     LAST_READING,
     LAST_STEP,
-    LEAD_CLOCK,
     PRESSURE,
     READING,
     ROUGHNESS,
     SPEED,
     SPEED_LAG,
 )
-from railgrip.control.lone_leader import OUTVOTED_AFTER
 from railgrip.core.formulas.choosing import choose
 
 ROUGH: Final = 0.15
@@ -47,7 +44,6 @@ def read_wheel(
     parameters: ConventionalParameters,
     state: FloatArray,
     base: int,
-    is_braking: bool,
     is_fast: bool,
     dt: float,
 ) -> None:
@@ -61,8 +57,6 @@ def read_wheel(
         As in the controller contract; what is measured has been put into it.
     base : int
         Where the axle's values begin.
-    is_braking : bool
-        Whether the brake is demanded.
     is_fast : bool
         Whether the train is faster than `dead_reference`.
     dt : float
@@ -75,14 +69,13 @@ def read_wheel(
     sensor if the wheel stands although nothing has braked it for a while. A braked wheel never
     reads the very same speed for long, so one that does is frozen; believed, it would keep the
     reference speed up and all other brakes released. A reading that jumps as no wheel can, or that
-    trembles, is none of a wheel either, and an axle that other wheels outvoted stays so.
+    trembles, is none of a wheel either.
     """
     reading = state[base + READING]
     is_number = abs(reading) < GREATEST_SPEED
     magnitude = choose(is_number, abs(reading), 0.0)
     is_spoilt = _trembles(state, base, magnitude, is_number, dt)
-    is_dropped = _stays_dropped(state, base, is_braking, is_number, dt)
-    is_wrong = is_spoilt | is_dropped | (not is_number)
+    is_wrong = is_spoilt | (not is_number)
     state[base + IS_FAULTY] = choose(is_wrong, 1.0, state[base + IS_FAULTY])
     state[base + DEAD_CLOCK] = choose(is_wrong, parameters.dead_time, state[base + DEAD_CLOCK])
     speed = magnitude * state[base + DIAMETER]
@@ -112,19 +105,6 @@ def _trembles(state: FloatArray, base: int, reading: float, is_number: bool, dt:
     is_rough = roughness > ROUGH
     jumps = abs(step) > GREATEST_JUMP + GREATEST_RATE * dt
     return bool((is_rough | jumps) & is_number)
-
-
-def _stays_dropped(
-    state: FloatArray, base: int, is_braking: bool, is_number: bool, dt: float
-) -> bool:
-    """Return whether other wheels have outvoted the axle in this application of the brake."""
-    clock = choose(is_braking, state[base + LEAD_CLOCK], 0.0)
-    is_dropped = clock > OUTVOTED_AFTER
-    clock = choose(is_dropped, clock + dt, clock)
-    state[base + LEAD_CLOCK] = choose(is_number, clock, state[base + LEAD_CLOCK])
-    forgets = is_number & (not is_braking)
-    state[base + CORRECTIONS] = choose(forgets, 0.0, state[base + CORRECTIONS])
-    return is_dropped & is_number
 
 
 def _watch_dead_sensor(

@@ -12,7 +12,12 @@ from railgrip.control.no_protection import NoProtection
 from railgrip.core import registry
 from railgrip.core.errors import Problem, RailgripError, unknown_name
 from railgrip.engine.plan import FloatArray
-from railgrip.engine.plug_ins import CONTROLLER_INITIAL, CONTROLLER_KERNEL, first_class
+from railgrip.engine.plug_ins import (
+    CONTROLLER_INITIAL,
+    CONTROLLER_STEP,
+    controller_step,
+    first_class,
+)
 from railgrip.scenario.wsp import Wsp, WspUnit
 
 WHERE = "wsp.controller"
@@ -75,7 +80,7 @@ def configured(kind: Any, given: dict[str, float], where: str = "wsp") -> Any:
 class Compiled(NamedTuple):
     """A controller for the kernel."""
 
-    kernel: Any
+    step: Any
     initial: Any
     parameters: FloatArray
     state_size: int
@@ -98,7 +103,7 @@ def compiled(controller: Any, n_axles: int) -> Compiled:
     initial = getattr(controller, "initial", _nothing_to_fill)
     try:
         return Compiled(
-            kernel=first_class(controller.kernel, CONTROLLER_KERNEL),
+            step=first_class(controller_step(controller.kernel), CONTROLLER_STEP),
             initial=first_class(initial, CONTROLLER_INITIAL),
             parameters=np.array(tuple(controller.parameters), dtype=float),
             state_size=int(controller.state_size(n_axles)),

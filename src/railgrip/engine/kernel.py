@@ -21,6 +21,7 @@ from railgrip.engine.brake_control_tick import control_brakes
 from railgrip.engine.driver import act_as_driver
 from railgrip.engine.faults import break_sensors, break_valves, seize_axles
 from railgrip.engine.offsets import width
+from railgrip.engine.plug_ins import call_step
 from railgrip.engine.rail import enter_cells, heat_rail, lay_sand, line_forces
 from railgrip.engine.records import finish_run, record
 from railgrip.engine.sensing import (
@@ -198,17 +199,21 @@ def control(
     monitor = plan.monitor_parameters
     n_axles = setup.shape[0]
     period = timing.tick * timing.control_every
+    # all measure before the first commands: what has just been written number by number cannot yet
+    # be read sixteen at a time
+    for k in range(L):
+        if S[at.RUN * L + k] >= 0.0 and int(S[at.TICK * L + k]) % timing.control_every == 0:
+            _listen(L, S, memory, monitor, timing, n_axles, moment, k)
     for k in range(L):
         if S[at.RUN * L + k] < 0.0:
             continue
         tick = int(S[at.TICK * L + k])
         command = memory.command[k].T
         if tick % timing.control_every == 0:
-            _listen(L, S, memory, monitor, timing, n_axles, moment, k)
             measured, state = memory.measured[k].T, memory.controller_state[k]
             if tick == 0:
                 initial(parameters, setup, state, measured)
-            controller(parameters, setup, state, measured, command, period)
+            call_step(controller, parameters, setup, state, measured, command, period)
         slot = to.VALVE_HISTORY + _kept_place(timing, moment)
         obey(to.as_offset(L), S, command, plan.n_axles, to.as_offset(k), slot)
         if plan.formation.has_shared_inverter == 1:

@@ -1,6 +1,6 @@
 """Several computers of the protection in one train: each steps on the rows of its own axles.
 
-The kernel calls one controller for the train. For units it calls `mixed_kernel`, which hands each
+The kernel calls one controller for the train. For units it calls `mixed_step`, which hands each
 unit a table of its axles and puts its commands back; what a unit cannot see it cannot use.
 """
 
@@ -13,12 +13,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba.core.errors import NumbaExperimentalFeatureWarning
 
-from railgrip.compiler import inlined, numba
+from railgrip.compiler import inlined, numba, with_compiled_callees
 from railgrip.control import contract as ctl
 from railgrip.core.errors import Problem, RailgripError
 from railgrip.engine.controllers import Compiled, compiled, find_controller, plain_step
 from railgrip.engine.plan import FloatArray, IntArray
-from railgrip.engine.plug_ins import CONTROLLER_INITIAL, CONTROLLER_KERNEL
+from railgrip.engine.plug_ins import CONTROLLER_INITIAL, CONTROLLER_STEP, call_step, controller_step
 from railgrip.scenario.scenario import Scenario
 
 # What the parameters of a mixture begin with: the number of units, then for each of them
@@ -151,7 +151,7 @@ def _mixed(whole: Mixture, forms: list[Compiled]) -> Compiled:
         )  # fmt: skip
         state += n_state
     return Compiled(
-        kernel=mixed_kernel(tuple(form.kernel for form in forms)),
+        step=mixed_step(tuple(form.step for form in forms)),
         initial=mixed_initial(tuple(form.initial for form in forms)),
         parameters=np.concatenate([[len(forms)], head.ravel(), *parts]),
         state_size=state,
@@ -177,12 +177,12 @@ def _renumber(setup: Any, column: int) -> None:
 
 
 @cache
-def mixed_kernel(kernels: tuple[Any, ...]) -> Any:
+def mixed_step(steps: tuple[Any, ...]) -> Any:
     """Return one kernel that lets each unit step on its own axles."""
-    take = inlined(_take)
+    take, call = inlined(_take), inlined(call_step)
 
     def step(parameters, axle_setup, state, measured, command, dt):  # type: ignore[no-untyped-def]
-        for unit in range(len(kernels)):
+        for unit in range(len(steps)):
             head = parameters[1 + unit * N_HEAD : 1 + (unit + 1) * N_HEAD]
             n, listed, own = int(head[N_AXLES]), int(head[AXLES]), int(head[STATE])
             if state[own] > 0.0:
@@ -199,13 +199,14 @@ def mixed_kernel(kernels: tuple[Any, ...]) -> Any:
             memory = state[rest : own + int(head[N_STATE])]
             take(measured, parameters, listed, n, seen)
             take(command, parameters, listed, n, said)
-            kernels[unit](parameters[first:last], setup, memory, seen, said, dt * head[EVERY])
+            own_parameters = parameters[first:last]
+            call(steps[unit], own_parameters, setup, memory, seen, said, dt * head[EVERY])
             for i in range(n):
                 axle = int(parameters[listed + i])
                 for column in range(ctl.N_COMMAND):
                     command[axle, column] = said[i, column]
 
-    return _as_c(CONTROLLER_KERNEL, step)
+    return _as_c(CONTROLLER_STEP, with_compiled_callees(controller_step(step)))
 
 
 @cache

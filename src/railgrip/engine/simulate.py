@@ -306,7 +306,7 @@ def _run_compiled(
     def work(bounds: tuple[int, int]) -> Memory:
         own = memory(prepared, lanes, traced and lanes == 1)
         run_kernel(
-            own, prepared.plan, changes, out, bounds[0], bounds[1], prepared.compiled.kernel,
+            own, prepared.plan, changes, out, bounds[0], bounds[1], prepared.compiled.step,
             prepared.compiled.initial, prepared.creep_law,
         )  # fmt: skip
         if progress is not None:

@@ -40,7 +40,7 @@ def look(setup, state, measured, speeds, n):
 
 def read_first(state, measured, dt=DT):
     take_measured(state, measured)
-    read_wheel(PARAMETERS, state, layout.axle_base(0), True, True, dt)
+    read_wheel(PARAMETERS, state, layout.axle_base(0), True, dt)
 
 
 def faulty(state, axle):

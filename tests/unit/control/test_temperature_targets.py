@@ -22,6 +22,7 @@ from railgrip.control.temperature_targets import (
     admissible_power,
     force_target,
     friction_speed,
+    per_fastest,
     signed_slip,
     slip_target,
 )
@@ -92,12 +93,12 @@ def test_power_grows_with_v_in_the_source_and_with_its_root_in_physics() -> None
 def test_without_any_limit_the_slip_target_is_its_bound() -> None:
     free = P._replace(rise_wheel=0.0, rise_rail=0.0)
     speed = friction_speed(free, power(free, 20.0, 20.0), -5e3, 127e3)
-    assert slip_target(free, speed, 20.0, P.greatest_slip, -1.0) == -0.25
+    assert slip_target(speed, 1.0 / 20.0, P.greatest_slip, -1.0) == -0.25
 
 
 def test_floors_keep_a_standing_train_from_being_refused() -> None:
     assert power(P, 0.0, 0.0) > 1e3
-    assert signed_slip(P, 0.0, 0.0) == 0.0
+    assert signed_slip(0.0, 0.0, per_fastest(P, 0.0, 0.0)) == 0.0
     assert friction_speed(P, 1e4, 0.0, 100e3) == pytest.approx(1e4 / 1e3)
 
 

@@ -25,7 +25,7 @@ def read(state, base, speed, pressure=0.0, n=1):
     state[base + st.PRESSURE] = pressure
     for _ in range(n):
         state[base + st.READING] = speed() if callable(speed) else speed
-        read_wheel(P, state, base, False, state[st.REFERENCE] > P.dead_reference, DT)
+        read_wheel(P, state, base, state[st.REFERENCE] > P.dead_reference, DT)
 
 
 def test_acceleration_of_a_steady_ramp():

@@ -18,7 +18,7 @@ from railgrip.control.axle_protection import protect_axles
 from railgrip.control.conventional_wsp import ConventionalWSP
 from railgrip.control.temperature_axle import brake_axles
 from railgrip.core.formulas.choosing import choose
-from railgrip.engine.plug_ins import CONTROLLER_KERNEL, FLAT, TABLE
+from railgrip.engine.plug_ins import FLAT, TABLE
 
 pytestmark = pytest.mark.skipif(
     platform.machine().lower() not in ("x86_64", "amd64"),
@@ -26,8 +26,9 @@ pytestmark = pytest.mark.skipif(
 )
 
 NUMBER, COUNT = types.float64, types.int64
+KERNEL = types.void(FLAT, TABLE, FLAT, TABLE, TABLE, NUMBER)
 PASSES = {
-    "look at the wheels and protect": (ConventionalWSP.kernel, CONTROLLER_KERNEL),
+    "look at the wheels and protect": (ConventionalWSP.kernel, KERNEL),
     "protect": (protect_axles, types.void(FLAT, FLAT, TABLE, NUMBER)),
     "weigh": (weigh_axles, types.void(FLAT, FLAT, COUNT, NUMBER)),
     "temperature": (brake_axles, types.void(FLAT, FLAT, TABLE, NUMBER, NUMBER)),
