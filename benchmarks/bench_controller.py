@@ -3,8 +3,8 @@
 Compiled, as the kernel calls it, with the signals of a slide (half the axles at 80 % of the train's
 speed); through the Python object, as `railgrip check` and any plain controller do; and in a batch
 on random rail, by looking at the processor's clock before and after each step. There signals are
-less regular than in the first, and the plant has used the caches in between. The call
-itself is counted in both.
+less regular than in the first, and the plant has used the caches in between. A call as such is
+counted in the first alone: in the batch a step that does nothing is subtracted.
 
     python benchmarks/bench_controller.py [--quick] [--out FILE]
 """
