@@ -98,7 +98,7 @@ def compiled(controller: Any, n_axles: int) -> Compiled:
     Raises
     ------
     RailgripError
-        Where Numba cannot compile the kernel, with its last line.
+        Where Numba cannot compile the kernel, with the line that says why.
     """
     initial = getattr(controller, "initial", _nothing_to_fill)
     try:
@@ -112,6 +112,7 @@ def compiled(controller: Any, n_axles: int) -> Compiled:
         raise
     except Exception as error:
         lines = [line for line in str(error).splitlines() if line.strip()]
+        lines = [line for line in lines if not line.startswith("Failed in nopython mode")]
         raise RailgripError(
             Problem(
                 WHERE,
