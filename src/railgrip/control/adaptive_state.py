@@ -23,7 +23,9 @@ FOLLOWER_FORCE: Final = SYSTEM + 11  # FB of the last leading test axle; 0 while
 LEADER_SLID: Final = SYSTEM + 12  # slid distance of the first leading test axle, m
 WAITED: Final = SYSTEM + 13  # control periods since the supervisor last looked
 IS_DECIDED: Final = SYSTEM + 14  # 1 once 306 has been asked: before, 301 starts in `start`
-ACCURACY: Final = SYSTEM + 15  # how exactly the ranges in use need the train speed, as a slip
+NEEDED_ACCURACY: Final = (
+    SYSTEM + 15
+)  # how exactly the ranges in use need the train speed, as a slip
 HAVE_CHANGED: Final = SYSTEM + 16  # 1 once an axle has been given another range
 
 # Each axle; forces in the unit of the signal.

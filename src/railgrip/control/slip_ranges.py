@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from railgrip.control.adaptive_state import ACCURACY, HAVE_CHANGED, RANGE
+from railgrip.control.adaptive_state import HAVE_CHANGED, NEEDED_ACCURACY, RANGE
 from railgrip.control.axle_protection import protect_axles
 from railgrip.control.contract import MICRO, MIDDLE, SLIP_RANGE, FloatArray
 from railgrip.control.conventional_parameters import (
@@ -53,6 +53,12 @@ N_RANGED: Final = N_CONVENTIONAL + len(RangeBands._fields)
 """Where the parameters of a controller that builds on this one begin."""
 
 
+def by_range(state: FloatArray, base: int, micro: float, middle: float, macro: float) -> float:
+    """Return the one of three values that belongs to an axle's range of slip."""
+    slip_range = state[base + RANGE]
+    return choose(slip_range == MICRO, micro, choose(slip_range == MIDDLE, middle, macro))
+
+
 def set_bands(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
     """Put into the state the band of every axle, by its range, and how exact the narrowest is.
 
@@ -70,18 +76,20 @@ def set_bands(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
         n_micro += count_equal(state, first + RANGE, MICRO)
         n_middle += count_equal(state, first + RANGE, MIDDLE)
         for base in range(first, first + GROUP):
-            is_middle = state[base + RANGE] == MIDDLE
-            is_micro = state[base + RANGE] == MICRO
-            lower = choose(is_middle, parameters[MIDDLE_LOWER], parameters[SLIP_LOWER])
-            upper = choose(is_middle, parameters[MIDDLE_UPPER], parameters[SLIP_UPPER])
-            state[base + LOWER_SHARE] = choose(is_micro, parameters[MICRO_LOWER], lower)
-            state[base + UPPER_SHARE] = choose(is_micro, parameters[MICRO_UPPER], upper)
+            state[base + LOWER_SHARE] = by_range(
+                state, base, parameters[MICRO_LOWER], parameters[MIDDLE_LOWER],
+                parameters[SLIP_LOWER],
+            )  # fmt: skip
+            state[base + UPPER_SHARE] = by_range(
+                state, base, parameters[MICRO_UPPER], parameters[MIDDLE_UPPER],
+                parameters[SLIP_UPPER],
+            )  # fmt: skip
     accuracy = parameters[SLIP_LOWER]
     if n_micro > 0:
         accuracy = min(accuracy, parameters[MICRO_LOWER])
     if n_middle > 0:
         accuracy = min(accuracy, parameters[MIDDLE_LOWER])
-    state[ACCURACY] = accuracy
+    state[NEEDED_ACCURACY] = accuracy
     state[HAVE_CHANGED] = 0.0
 
 
@@ -92,7 +100,7 @@ def observe_in_ranges(
     dt: float,
 ) -> None:
     """Update wheels and reference speed, as exactly as the narrowest range in use needs."""
-    observe_train(parameters, state, measured, state[ACCURACY], dt)
+    observe_train(parameters, state, measured, state[NEEDED_ACCURACY], dt)
     learn_diameters(parameters, state, measured, dt)
 
 

@@ -13,14 +13,12 @@ from typing import Any, Final, NamedTuple
 
 from railgrip.control.adaptive_parameters import LEAD_AXLES, Supervision, check_supervision
 from railgrip.control.adaptive_round import begin_supervision, time_to_look
-from railgrip.control.adaptive_state import ACCURACY as NEEDED
 from railgrip.control.adaptive_state import FACTOR as SIGNAL_FACTOR
-from railgrip.control.adaptive_state import HAVE_CHANGED, RANGE, STATE
+from railgrip.control.adaptive_state import HAVE_CHANGED, NEEDED_ACCURACY, RANGE, STATE
 from railgrip.control.adaptive_supervisor import supervise
 from railgrip.control.axle_protection import freed_place
 from railgrip.control.contract import (
     MICRO,
-    MIDDLE,
     WSP_STATE,
     FloatArray,
 )
@@ -40,7 +38,7 @@ from railgrip.control.force_weighing import OBSERVED_AFTER, add_up, weigh_axle, 
 from railgrip.control.parameter_sets import joined
 from railgrip.control.plain_form import KernelController
 from railgrip.control.side_by_side import count_equal
-from railgrip.control.slip_ranges import N_RANGED, give_ranges
+from railgrip.control.slip_ranges import N_RANGED, by_range, give_ranges
 from railgrip.control.state_layout import GROUP, axle_base, group_base, groups, state_size
 from railgrip.control.temperature_controlled import (
     check_temperature,
@@ -52,7 +50,6 @@ from railgrip.control.temperature_controlled import (
 from railgrip.control.temperature_parameters import ACCURACY, GREATEST_SLIP, TemperatureOnly
 from railgrip.control.temperature_state import FRICTION, SLIP_LIMIT
 from railgrip.core.errors import Problem, RailgripError
-from railgrip.core.formulas.choosing import choose
 
 
 class SlipLimits(NamedTuple):
@@ -124,21 +121,18 @@ def weigh_forces(
 
 
 def limit_slips(parameters: FloatArray, state: FloatArray, n_axles: int) -> None:
-    """Put into the state the slip that every axle is led to at most, by its range.
-
-    And how exactly the train speed must be known for the narrowest in use.
-    """
+    """Put into the state the greatest slip of every axle, and how exact the narrowest range is."""
     n_micro = 0
     for group in range(groups(n_axles)):
         first = group_base(group)
         n_micro += count_equal(state, first + RANGE, MICRO)
         for base in range(first, first + GROUP):
-            is_middle = state[base + RANGE] == MIDDLE
-            limit = choose(is_middle, parameters[MIDDLE_SLIP], parameters[GREATEST_SLIP])
-            is_micro = state[base + RANGE] == MICRO
-            state[base + SLIP_LIMIT] = choose(is_micro, parameters[MICRO_SLIP], limit)
+            state[base + SLIP_LIMIT] = by_range(
+                state, base, parameters[MICRO_SLIP], parameters[MIDDLE_SLIP],
+                parameters[GREATEST_SLIP],
+            )  # fmt: skip
     accuracy = parameters[ACCURACY]
-    state[NEEDED] = min(accuracy, parameters[MICRO_ACCURACY]) if n_micro > 0 else accuracy
+    state[NEEDED_ACCURACY] = min(accuracy, parameters[MICRO_ACCURACY]) if n_micro > 0 else accuracy
     state[HAVE_CHANGED] = 0.0
 
 
@@ -152,7 +146,7 @@ def temperature_adaptive_kernel(
 ) -> None:
     """Advance the control by one period; arguments as in the controller contract."""
     n_axles = measured.shape[0]
-    observe_forces(parameters, axle_setup, state, measured, state[NEEDED], dt)
+    observe_forces(parameters, axle_setup, state, measured, state[NEEDED_ACCURACY], dt)
     supervision = parameters[SUPERVISION:]
     look = time_to_look(supervision, state, dt)
     if look > 0.0:

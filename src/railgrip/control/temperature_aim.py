@@ -111,7 +111,7 @@ def aim(
     wheel = state[base + SPEED]
     friction = state[base + FRICTION]
     fastest = max(wheel, now.reference)
-    per_speed = per_fastest(parameters, wheel, now.reference)
+    per_speed = per_fastest(parameters, fastest)
     slip = signed_slip(wheel, now.reference, per_speed)
     relative = state[base + ACCELERATION] - now.acceleration
     foreseen = choose(is_continuous, slip, slip + parameters.valve_lead * relative * per_speed)

@@ -61,16 +61,16 @@ def admissible_power(
     return choose(parameters.heat_law == LINEAR, linear, physical)
 
 
-def per_fastest(parameters: TemperatureOnly, wheel: float, train: float) -> float:
+def per_fastest(parameters: TemperatureOnly, fastest: float) -> float:
     """Return one over the larger of wheel and train speed, which is floored, [s/m].
 
     Examples
     --------
     >>> from railgrip.control.temperature_parameters import TemperatureOnly
-    >>> per_fastest(TemperatureOnly(), 18.0, 20.0)
+    >>> per_fastest(TemperatureOnly(), 20.0)
     0.05
     """
-    return 1.0 / max(max(wheel, train), parameters.least_speed)
+    return 1.0 / max(fastest, parameters.least_speed)
 
 
 def signed_slip(wheel: float, train: float, per_fastest: float) -> float:

@@ -98,7 +98,7 @@ def test_without_any_limit_the_slip_target_is_its_bound() -> None:
 
 def test_floors_keep_a_standing_train_from_being_refused() -> None:
     assert power(P, 0.0, 0.0) > 1e3
-    assert signed_slip(0.0, 0.0, per_fastest(P, 0.0, 0.0)) == 0.0
+    assert signed_slip(0.0, 0.0, per_fastest(P, 0.0)) == 0.0
     assert friction_speed(P, 1e4, 0.0, 100e3) == pytest.approx(1e4 / 1e3)
 
 
